@@ -1,0 +1,1 @@
+//! From a declared light case to specialised WGSL, SPIR-V and matching tables.

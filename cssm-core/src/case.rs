@@ -1,0 +1,267 @@
+//! The light case: what is declared once, before any frame.
+//!
+//! A [`LightCase`] says which light, which views, which technique in which configurations, how the map is laid
+//! out and filtered, how bias is found and which interfaces the shaders offer. It is plain, checked data: every
+//! door (text, macro, build script, builder) ends in [`LightCase::from_arguments`], so equal declarations are
+//! equal values and generate equal bytes.
+
+mod builder;
+mod check;
+mod fields;
+
+pub use builder::LightCaseBuilder;
+pub use fields::{FIELDS, MAP_SIDE_LIMIT_TEXELS};
+
+use crate::facet::FacetShape;
+use crate::schema::{Arguments, Word};
+use crate::technique::{self, TechniqueSpec};
+
+/// A checked declaration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LightCase {
+    /// Name in upper camel case; names the generated Rust module's case and the report rows.
+    pub name: String,
+    /// Doc comment of the declaration, without the leading slashes; may be empty.
+    pub doc: String,
+    /// Whether the generated Rust items are `pub`.
+    pub public: bool,
+    /// The light.
+    pub light: LightKind,
+    /// How far views reach.
+    pub far: FarKind,
+    /// Farthest receiver depth in metres, if the declaration bounds it.
+    pub shadow_distance_metres: Option<f64>,
+    /// Technique and its parameters; the name is in [`technique::TECHNIQUES`].
+    pub technique: Word,
+    /// Configurations that may be chosen, best first; names of the technique's own table.
+    pub configurations: Vec<Word>,
+    /// How map rows are spent over depth; absent where the technique has no such choice.
+    pub distribution: Option<Word>,
+    /// The map.
+    pub map: MapSpec,
+    /// How the map is filtered.
+    pub filter: Filter,
+    /// How bias is found.
+    pub bias: Bias,
+    /// Interfaces that the shaders offer.
+    pub resolve: Vec<Resolve>,
+    /// Lower snake case prefix of every emitted shader name; never ends in a digit.
+    pub prefix: String,
+}
+
+/// Kinds of light.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LightKind {
+    /// Parallel rays.
+    Directional,
+}
+
+/// How far the views of a case reach.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FarKind {
+    /// The far plane may be at infinity.
+    Infinite,
+    /// Every view has a finite far plane; a view without one is a typed error at plan time.
+    Finite,
+}
+
+/// Size, folding, format and gutters of the map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MapSpec {
+    /// Width in texels.
+    pub width: u32,
+    /// Height in texels.
+    pub height: u32,
+    /// Number of strips the tiles are folded into; `None`: found by the isotropy rule.
+    pub columns: Option<u32>,
+    /// Texel format.
+    pub format: DepthFormat,
+    /// Gutter of every tile in texels; `None`: filter radius + 1.
+    pub gutter: Option<u32>,
+}
+
+/// Texel formats of the map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DepthFormat {
+    /// 32-bit float.
+    Depth32Float,
+    /// 16-bit unsigned normalised.
+    Depth16Unorm,
+}
+
+impl DepthFormat {
+    /// Name in declarations, tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Depth32Float => "depth32float",
+            Self::Depth16Unorm => "depth16unorm",
+        }
+    }
+
+    /// Bytes of one texel.
+    pub const fn bytes_per_texel(self) -> u32 {
+        match self {
+            Self::Depth32Float => 4,
+            Self::Depth16Unorm => 2,
+        }
+    }
+
+    /// Largest rounding error of a stored depth in [0, 1].
+    pub const fn rounding(self) -> f64 {
+        match self {
+            Self::Depth32Float => 5.960_464_477_539_063e-8,
+            Self::Depth16Unorm => 0.5 / 65535.0,
+        }
+    }
+}
+
+/// How texels become visibility.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Filter {
+    /// Nearest texel, hard edge.
+    None,
+    /// Comparison sampler with linear filtering: one reference for four texels.
+    Hardware2x2,
+    /// Gather of four texels, each compared with its own reference, blended bilinearly.
+    Gather2x2,
+}
+
+impl Filter {
+    /// Name in declarations, tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Hardware2x2 => "hardware_2x2",
+            Self::Gather2x2 => "gather_2x2",
+        }
+    }
+
+    /// Distance in texels from the receiver's map point to the farthest texel edge a tap may reach.
+    pub const fn radius_texels(self) -> u32 {
+        match self {
+            Self::None => 0,
+            Self::Hardware2x2 | Self::Gather2x2 => 1,
+        }
+    }
+}
+
+/// How the depth reference is kept off the receiver's own texels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bias {
+    /// No bias.
+    None,
+    /// A constant distance along the light.
+    Constant {
+        /// Metres along the light.
+        along_light_metres: f64,
+    },
+    /// Proportional to the texel and the tangent of the angle between normal and light.
+    Slope {
+        /// Multiple of the local texel.
+        texels: f64,
+    },
+    /// A world distance plus a multiple of the local texel ("Perspective Shadow Maps: Care and Feeding").
+    WorldTexel {
+        /// Constant part, metres along the light.
+        a_metres: f64,
+        /// Part that scales with the local texel, in texels.
+        b_texels: f64,
+    },
+    /// Exact receiver plane of the facet; no knob.
+    ReceiverPlane,
+}
+
+impl Bias {
+    /// Name in declarations, tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Constant { .. } => "constant",
+            Self::Slope { .. } => "slope",
+            Self::WorldTexel { .. } => "world_texel",
+            Self::ReceiverPlane => "receiver_plane",
+        }
+    }
+}
+
+/// An interface of the resolve stage.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Resolve {
+    /// A screen-space pass that turns the view's depth into a visibility mask.
+    Mask {
+        /// What the engine's depth holds.
+        depth: MaskDepth,
+        /// Where the geometric normal comes from.
+        normal: MaskNormal,
+    },
+    /// A WGSL function that the engine calls from its own material.
+    Function {
+        /// Bind group number of the shadow bindings.
+        group: u32,
+    },
+}
+
+/// What the engine's depth texture holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MaskDepth {
+    /// near / depth in a depth texture: 1 at the near plane, 0 at infinity (or the finite-far equivalent).
+    ReversedZ,
+    /// Depth along the view axis in metres in a single-channel float texture; 0 or less is sky.
+    Linear,
+}
+
+/// Where the mask pass takes the geometric normal from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MaskNormal {
+    /// Reconstructed from neighbouring depths.
+    Reconstructed,
+    /// Read from a float texture with world-axes unit normals.
+    Texture,
+}
+
+impl LightCase {
+    /// Starts a declaration in Rust; every field has the default of the text grammar.
+    pub fn builder(name: &str) -> LightCaseBuilder {
+        LightCaseBuilder::new(name)
+    }
+
+    /// Builds a case from checked arguments of [`FIELDS`].
+    ///
+    /// # Errors
+    /// All contradictions between fields at once, each naming the field it belongs to.
+    pub fn from_arguments(
+        name: &str,
+        doc: &str,
+        public: bool,
+        arguments: &Arguments,
+    ) -> Result<Self, Vec<CaseError>> {
+        check::from_arguments(name, doc, public, arguments)
+    }
+
+    /// The technique's entry in the name table.
+    pub fn technique_spec(&self) -> &'static TechniqueSpec {
+        technique::spec(self.technique.name)
+    }
+
+    /// How many facets a plan of this case may have, and how a receiver finds its own.
+    pub fn shape(&self) -> FacetShape {
+        (self.technique_spec().shape)(self)
+    }
+
+    /// Gutter of every tile in texels.
+    pub fn gutter_texels(&self) -> u32 {
+        self.map.gutter.unwrap_or(self.filter.radius_texels() + 1)
+    }
+}
+
+/// A declaration that cannot be honoured.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{field}: {message}; {remedy}")]
+pub struct CaseError {
+    /// Dotted path of the field at fault, such as `map.size`.
+    pub field: String,
+    /// What is wrong.
+    pub message: String,
+    /// What to write instead.
+    pub remedy: String,
+}

@@ -1,0 +1,152 @@
+//! The Rust door to a light case.
+
+use super::{Bias, CaseError, DepthFormat, FarKind, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
+use crate::schema::{Arguments, Value, Word};
+
+/// A declaration in Rust; every field has the default of the text grammar.
+#[derive(Debug, Clone)]
+pub struct LightCaseBuilder {
+    name: String,
+    doc: String,
+    public: bool,
+    fields: Vec<(&'static str, Value)>,
+    map: Vec<(&'static str, Value)>,
+}
+
+impl LightCaseBuilder {
+    pub(super) fn new(name: &str) -> Self {
+        Self { name: name.into(), doc: String::new(), public: true, fields: Vec::new(), map: Vec::new() }
+    }
+
+    /// Doc comment.
+    pub fn doc(mut self, doc: &str) -> Self {
+        self.doc = doc.into();
+        self
+    }
+
+    /// Whether the generated Rust items are `pub`; they are unless this says otherwise.
+    pub fn public(mut self, public: bool) -> Self {
+        self.public = public;
+        self
+    }
+
+    /// How far views reach.
+    pub fn far(self, far: FarKind) -> Self {
+        let far = Word::plain(match far {
+            FarKind::Infinite => "infinite",
+            FarKind::Finite => "finite",
+        });
+        self.set("view", Value::Word(Word::with("perspective", [("far", Value::Word(far))])))
+    }
+
+    /// Farthest receiver depth in metres.
+    pub fn shadow_distance_metres(self, metres: f64) -> Self {
+        self.set("shadow_distance", Value::Number(metres))
+    }
+
+    /// The technique and its parameters, such as `Word::plain("camera_space")`; parameters left out take their
+    /// defaults.
+    pub fn technique(self, technique: Word) -> Self {
+        self.set("technique", Value::Word(technique))
+    }
+
+    /// Configurations that may occur, best first.
+    pub fn configurations(self, names: &[&'static str]) -> Self {
+        let words = names.iter().map(|name| Word::plain(name)).collect();
+        self.set("configurations", Value::Words(words))
+    }
+
+    /// Distribution `bands(count)`, with the declared horizon for infinite far planes.
+    pub fn bands(self, count: u32, horizon_metres: f64) -> Self {
+        let arguments = [("count", Value::Count(count)), ("horizon", Value::Number(horizon_metres))];
+        self.set("distribution", Value::Word(Word::with("bands", arguments)))
+    }
+
+    /// Size of the whole map in texels.
+    pub fn map_size_texels(self, width: u32, height: u32) -> Self {
+        self.set_map("size", Value::Size(width, height))
+    }
+
+    /// Number of strips the tiles are folded into.
+    pub fn map_columns(self, columns: u32) -> Self {
+        self.set_map("columns", Value::Count(columns))
+    }
+
+    /// Texel format.
+    pub fn map_format(self, format: DepthFormat) -> Self {
+        self.set_map("format", Value::Word(Word::plain(format.name())))
+    }
+
+    /// Gutter of every tile in texels.
+    pub fn map_gutter_texels(self, gutter: u32) -> Self {
+        self.set_map("gutter", Value::Count(gutter))
+    }
+
+    /// How texels become visibility.
+    pub fn filter(self, filter: Filter) -> Self {
+        self.set("filter", Value::Word(Word::plain(filter.name())))
+    }
+
+    /// How bias is found.
+    pub fn bias(self, bias: Bias) -> Self {
+        let arguments = match bias {
+            Bias::None | Bias::ReceiverPlane => vec![],
+            Bias::Constant { along_light_metres } => vec![("along_light", Value::Number(along_light_metres))],
+            Bias::Slope { texels } => vec![("scale", Value::Number(texels))],
+            Bias::WorldTexel { a_metres, b_texels } => {
+                vec![("a", Value::Number(a_metres)), ("b", Value::Number(b_texels))]
+            }
+        };
+        self.set("bias", Value::Word(Word::with(bias.name(), arguments)))
+    }
+
+    /// Interfaces that the shaders offer.
+    pub fn resolve(self, interfaces: &[Resolve]) -> Self {
+        let words = interfaces.iter().map(|interface| match interface {
+            Resolve::Mask { depth, normal } => {
+                let depth = match depth {
+                    MaskDepth::ReversedZ => "reversed_z",
+                    MaskDepth::Linear => "linear",
+                };
+                let normal = match normal {
+                    MaskNormal::Reconstructed => "reconstructed",
+                    MaskNormal::Texture => "texture",
+                };
+                let arguments =
+                    [("depth", Value::Word(Word::plain(depth))), ("normal", Value::Word(Word::plain(normal)))];
+                Word::with("mask", arguments)
+            }
+            Resolve::Function { group } => Word::with("function", [("group", Value::Count(*group))]),
+        });
+        let words = words.collect();
+        self.set("resolve", Value::Words(words))
+    }
+
+    /// Prefix of every emitted shader name.
+    pub fn prefix(self, prefix: &str) -> Self {
+        self.set("prefix", Value::Name(prefix.into()))
+    }
+
+    /// Checks the declaration.
+    ///
+    /// # Errors
+    /// All field errors at once.
+    pub fn build(mut self) -> Result<LightCase, Vec<CaseError>> {
+        if !self.map.is_empty() {
+            self.fields.push(("map", Value::Group(Arguments(self.map))));
+        }
+        LightCase::from_arguments(&self.name, &self.doc, self.public, &Arguments(self.fields))
+    }
+
+    fn set(mut self, field: &'static str, value: Value) -> Self {
+        self.fields.retain(|(name, _)| *name != field);
+        self.fields.push((field, value));
+        self
+    }
+
+    fn set_map(mut self, field: &'static str, value: Value) -> Self {
+        self.map.retain(|(name, _)| *name != field);
+        self.map.push((field, value));
+        self
+    }
+}

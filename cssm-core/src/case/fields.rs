@@ -1,0 +1,214 @@
+//! The schema of a light case: every field with its default.
+
+use crate::schema::{Choice, Default, Field, Kind, Unit};
+use crate::technique;
+
+/// Largest map side that a declaration may ask for.
+pub const MAP_SIDE_LIMIT_TEXELS: u32 = 16384;
+
+const FAR: &[Choice] = &[
+    Choice::plain("infinite", "the far plane may be at infinity"),
+    Choice::plain("finite", "every view has a finite far plane"),
+];
+
+const MASK: &[Field] = &[
+    Field {
+        name: "depth",
+        summary: "what the engine's depth texture holds",
+        kind: Kind::Choice(&[
+            Choice::plain("reversed_z", "1 at the near plane, 0 at infinity, in a depth texture"),
+            Choice::plain("linear", "metres along the view axis in a single-channel float texture"),
+        ]),
+        default: Default::Value("reversed_z"),
+    },
+    Field {
+        name: "normal",
+        summary: "where the geometric normal comes from",
+        kind: Kind::Choice(&[
+            Choice::plain("reconstructed", "from neighbouring depths"),
+            Choice::plain("texture", "world-axes unit normals in a float texture"),
+        ]),
+        default: Default::Value("reconstructed"),
+    },
+];
+
+/// Every field of a light case, in the order of the reference page.
+pub const FIELDS: &[Field] = &[
+    Field {
+        name: "light",
+        summary: "kind of light",
+        kind: Kind::Choice(&[Choice::plain("directional", "parallel rays, such as the sun's")]),
+        default: Default::Value("directional"),
+    },
+    Field {
+        name: "view",
+        summary: "views that the case serves",
+        kind: Kind::Choice(&[Choice {
+            name: "perspective",
+            summary: "any perspective projection: off-centre, jittered, reversed-z, either handedness",
+            arguments: &[Field {
+                name: "far",
+                summary: "how far views reach",
+                kind: Kind::Choice(FAR),
+                default: Default::Value("infinite"),
+            }],
+        }]),
+        default: Default::Value("perspective { far: infinite }"),
+    },
+    Field {
+        name: "shadow_distance",
+        summary: "farthest receiver depth along the view axis",
+        kind: Kind::Number { min: 0.0, max: f64::INFINITY, open: true, unit: Unit::Length },
+        default: Default::Absent("receivers reach to the view's far plane"),
+    },
+    Field {
+        name: "technique",
+        summary: "how facets are chosen",
+        kind: Kind::Choice(technique::CHOICES),
+        default: Default::Value("camera_space"),
+    },
+    Field {
+        name: "configurations",
+        summary: "geometric situations that may occur, best first",
+        kind: Kind::ChoiceList(technique::CONFIGURATIONS),
+        default: Default::Absent("the first configuration of the technique"),
+    },
+    Field {
+        name: "distribution",
+        summary: "how map rows are spent over depth",
+        kind: Kind::Choice(&[Choice {
+            name: "bands",
+            summary: "bands of equal depth ratio, each affine in 1/depth",
+            arguments: &[
+                Field {
+                    name: "count",
+                    summary: "number of bands",
+                    kind: Kind::Count { min: 1, max: 16 },
+                    default: Default::Value("8"),
+                },
+                Field {
+                    name: "horizon",
+                    summary: "depth up to which bands have equal ratios when the far plane is infinite",
+                    kind: Kind::Number { min: 0.0, max: 1e9, open: true, unit: Unit::Length },
+                    default: Default::Value("100 km"),
+                },
+            ],
+        }]),
+        default: Default::Absent("bands(8) with camera_space; none elsewhere"),
+    },
+    Field {
+        name: "map",
+        summary: "size, folding, format and gutters of the map",
+        kind: Kind::Group(&[
+            Field {
+                name: "size",
+                summary: "width x height of the whole map",
+                kind: Kind::Size { min: 64, max: MAP_SIDE_LIMIT_TEXELS },
+                default: Default::Value("2048 x 2048"),
+            },
+            Field {
+                name: "columns",
+                summary: "number of strips the tiles are folded into",
+                kind: Kind::AutoOrCount { min: 1, max: 32 },
+                default: Default::Value("auto"),
+            },
+            Field {
+                name: "format",
+                summary: "texel format",
+                kind: Kind::Choice(&[
+                    Choice::plain("depth32float", "32-bit float"),
+                    Choice::plain("depth16unorm", "16-bit unsigned normalised"),
+                ]),
+                default: Default::Value("depth32float"),
+            },
+            Field {
+                name: "gutter",
+                summary: "texels around every tile that only filter taps read; auto: filter radius + 1",
+                kind: Kind::AutoOrCount { min: 0, max: 16 },
+                default: Default::Value("auto"),
+            },
+        ]),
+        default: Default::Value("{ size: 2048 x 2048, columns: auto, format: depth32float, gutter: auto }"),
+    },
+    Field {
+        name: "filter",
+        summary: "how texels become visibility",
+        kind: Kind::Choice(&[
+            Choice::plain("none", "nearest texel, hard edge"),
+            Choice::plain("hardware_2x2", "comparison sampler: one reference for four texels"),
+            Choice::plain("gather_2x2", "four texels, each compared with its own reference"),
+        ]),
+        default: Default::Value("gather_2x2"),
+    },
+    Field {
+        name: "bias",
+        summary: "how the reference is kept off the receiver's own texels",
+        kind: Kind::Choice(&[
+            Choice::plain("none", "no bias"),
+            Choice {
+                name: "constant",
+                summary: "a constant distance along the light",
+                arguments: &[Field {
+                    name: "along_light",
+                    summary: "the distance",
+                    kind: Kind::Number { min: 0.0, max: 1e3, open: false, unit: Unit::Length },
+                    default: Default::Value("5 cm"),
+                }],
+            },
+            Choice {
+                name: "slope",
+                summary: "local texel times the tangent of the angle between normal and light",
+                arguments: &[Field {
+                    name: "scale",
+                    summary: "multiple of the local texel",
+                    kind: Kind::Number { min: 0.0, max: 64.0, open: false, unit: Unit::Texels },
+                    default: Default::Value("1.5 texels"),
+                }],
+            },
+            Choice {
+                name: "world_texel",
+                summary: "a distance plus a multiple of the local texel",
+                arguments: &[
+                    Field {
+                        name: "a",
+                        summary: "constant part along the light",
+                        kind: Kind::Number { min: 0.0, max: 1e3, open: false, unit: Unit::Length },
+                        default: Default::Value("1 cm"),
+                    },
+                    Field {
+                        name: "b",
+                        summary: "part that scales with the local texel",
+                        kind: Kind::Number { min: 0.0, max: 64.0, open: false, unit: Unit::Texels },
+                        default: Default::Value("1.5 texels"),
+                    },
+                ],
+            },
+            Choice::plain("receiver_plane", "exact plane of the receiver in its facet; no knob"),
+        ]),
+        default: Default::Value("receiver_plane"),
+    },
+    Field {
+        name: "resolve",
+        summary: "interfaces that the shaders offer",
+        kind: Kind::ChoiceList(&[
+            Choice { name: "mask", summary: "a screen-space visibility pass", arguments: MASK },
+            Choice {
+                name: "function",
+                summary: "a WGSL function for the engine's own materials",
+                arguments: &[Field {
+                    name: "group",
+                    summary: "bind group number of the shadow bindings",
+                    kind: Kind::Count { min: 0, max: 3 },
+                    default: Default::Value("2"),
+                }],
+            },
+        ]),
+        default: Default::Value("[mask, function { group: 2 }]"),
+    },
+    Field {
+        name: "prefix",
+        summary: "prefix of every emitted shader name, lower snake case, no digit at its end",
+        kind: Kind::Prefix,
+        default: Default::Absent("the case's name in snake case"),
+    },
+];

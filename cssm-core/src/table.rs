@@ -1,0 +1,308 @@
+//! The table of a case: everything the CPU and the GPU must agree on, defined once.
+//!
+//! [`CaseTable::describe`] derives it from a case alone. Code generation prints the shaders' structs and bindings
+//! from it and emits it as Rust and JSON; the runtime uploads plans and builds pipelines from it. It names no type
+//! of any graphics interface. What a case does not declare has no record field, binding or pass here.
+
+mod describe;
+mod write;
+
+pub use write::{MaskDepthInput, write_capture_record, write_mask_record, write_shadow_record};
+
+use std::borrow::Cow;
+
+use crate::case::DepthFormat;
+
+/// Records, bindings, passes and shaders of one case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseTable {
+    /// Name of the case.
+    pub case: Cow<'static, str>,
+    /// Prefix of every shader name.
+    pub prefix: Cow<'static, str>,
+    /// Fingerprint of the declaration; equal declarations have equal fingerprints.
+    pub fingerprint: u64,
+    /// Map width in texels.
+    pub map_width: u32,
+    /// Map height in texels.
+    pub map_height: u32,
+    /// Map texel format.
+    pub map_format: DepthFormat,
+    /// Sectors of the selection walk.
+    pub sectors: u32,
+    /// Bands in each sector.
+    pub bands: u32,
+    /// Texture fetch instructions of the map per resolved pixel.
+    pub fetches_per_pixel: u32,
+    /// Uniform records; nested ones before those that hold them.
+    pub records: Cow<'static, [Record]>,
+    /// Bind groups by shader.
+    pub groups: Cow<'static, [BindGroup]>,
+    /// Passes in order of execution.
+    pub passes: Cow<'static, [Pass]>,
+    /// Shader modules; empty until code generation has run.
+    pub shaders: Cow<'static, [Shader]>,
+}
+
+/// A struct in uniform address space.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// What it is.
+    pub kind: RecordKind,
+    /// Shader type name, prefix included: `SunFacet`.
+    pub name: Cow<'static, str>,
+    /// Size in bytes, a multiple of 16.
+    pub size_bytes: u32,
+    /// Fields in order of offset.
+    pub fields: Cow<'static, [RecordField]>,
+}
+
+/// The records a case can have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RecordKind {
+    /// What resolving needs of one facet.
+    Facet,
+    /// What resolving needs of a plan: the selection walk and all facets.
+    Shadow,
+    /// What capturing needs of one facet.
+    Capture,
+    /// What the mask pass needs of the view.
+    Mask,
+}
+
+/// A field of a record.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordField {
+    /// Name in the shader and in Rust.
+    pub name: Cow<'static, str>,
+    /// What it holds; uploads are written by meaning.
+    pub meaning: Meaning,
+    /// Type of one element.
+    pub ty: FieldType,
+    /// Number of array elements; 0: not an array.
+    pub elements: u32,
+    /// Offset in bytes from the start of the record.
+    pub offset_bytes: u32,
+    /// Distance in bytes between array elements; 0: not an array.
+    pub stride_bytes: u32,
+}
+
+/// Types of record fields.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FieldType {
+    /// `f32`
+    F32,
+    /// `vec2<f32>`
+    Vec2,
+    /// `vec4<f32>`
+    Vec4,
+    /// The record of kind [`RecordKind::Facet`].
+    Facet,
+}
+
+/// What a record field holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Meaning {
+    /// Facet row: clip x of the tile from (x, y, z, 1) relative to the eye.
+    RowX,
+    /// Facet row: clip y of the tile, up.
+    RowY,
+    /// Facet row: clip z.
+    RowZ,
+    /// Facet row: clip w.
+    RowW,
+    /// Map texel = ndc * xy + zw.
+    TexelFromNdc,
+    /// Smallest (xy) and largest (zw) map texel coordinate of a receiver for which no tap leaves the tile.
+    TexelLimits,
+    /// Depth times w per metre away from the light.
+    DepthPerMetre,
+    /// Larger texel axis across the ray in metres, per w.
+    TexelMetresPerW,
+    /// Depth by which an exact receiver plane is lowered.
+    ReceiverPlaneDepth,
+    /// Unit vector towards the light, world axes.
+    TowardLight,
+    /// Border rows of the selection walk, one per sector.
+    Borders,
+    /// Distance rows, one per sector.
+    Distances,
+    /// Band limits: four to a vector, `ceil((bands - 1) / 4)` vectors to a sector; unused entries are the largest
+    /// float.
+    Thresholds,
+    /// All facets, by index.
+    Facets,
+    /// Direction relative to the eye, world axes, depth 1, at the image's upper left corner.
+    RayCorner,
+    /// Change of that direction across the whole image width.
+    RayAcross,
+    /// Change of that direction down the whole image height.
+    RayDown,
+    /// 1 / depth = x * stored + y, for reversed-z depth.
+    InverseDepth,
+}
+
+/// Bindings of one group of one shader.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BindGroup {
+    /// The shader it belongs to.
+    pub shader: ShaderKind,
+    /// What the group holds; groups with equal contents have equal layouts and can be shared.
+    pub content: GroupContent,
+    /// `@group` number.
+    pub group: u32,
+    /// Bindings in order of number.
+    pub bindings: Cow<'static, [Binding]>,
+}
+
+/// What a bind group is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GroupContent {
+    /// One facet of the capture stage.
+    CaptureFacet,
+    /// The engine's depth (and normals) and the view.
+    MaskInput,
+    /// The plan, the map and its sampler.
+    Shadow,
+}
+
+/// One binding.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Binding {
+    /// `@binding` number.
+    pub binding: u32,
+    /// Variable name in the shader, prefix included.
+    pub name: Cow<'static, str>,
+    /// What is bound.
+    pub kind: BindingKind,
+}
+
+/// What is bound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BindingKind {
+    /// A uniform buffer holding a record.
+    Uniform {
+        /// The record.
+        record: RecordKind,
+        /// Whether the offset is given at draw time.
+        dynamic_offset: bool,
+    },
+    /// The shadow map: `texture_depth_2d`.
+    Map,
+    /// The engine's depth: `texture_depth_2d`.
+    SceneDepth,
+    /// The engine's linear depth: `texture_2d<f32>`, not filtered.
+    SceneLinearDepth,
+    /// The engine's geometric normals: `texture_2d<f32>`, not filtered.
+    SceneNormal,
+    /// `sampler_comparison`, linear, less or equal.
+    ComparisonSampler,
+    /// `sampler`, nearest, not filtering.
+    GatherSampler,
+}
+
+/// The shader modules a case can have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShaderKind {
+    /// Renders casters; needs unclipped depth.
+    Capture,
+    /// Renders casters where unclipped depth is missing: clamps per fragment.
+    CaptureClamped,
+    /// Screen-space visibility.
+    Mask,
+    /// The function for the engine's materials; no entry point.
+    Function,
+}
+
+impl ShaderKind {
+    /// Name in file names, tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Capture => "capture",
+            Self::CaptureClamped => "capture_clamped",
+            Self::Mask => "mask",
+            Self::Function => "function",
+        }
+    }
+}
+
+/// A pass the runtime can execute.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pass {
+    /// Shader it runs.
+    pub shader: ShaderKind,
+    /// Vertex entry point.
+    pub vertex: Cow<'static, str>,
+    /// Fragment entry point, if there is one.
+    pub fragment: Option<Cow<'static, str>>,
+    /// What it reads.
+    pub reads: Cow<'static, [Resource]>,
+    /// What it writes.
+    pub writes: Cow<'static, [Resource]>,
+}
+
+/// What passes read and write.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Resource {
+    /// The engine's caster geometry.
+    Casters,
+    /// The shadow map.
+    Map,
+    /// The engine's depth.
+    SceneDepth,
+    /// The engine's normals.
+    SceneNormal,
+    /// The visibility mask.
+    Mask,
+}
+
+impl Resource {
+    /// Name in tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Casters => "casters",
+            Self::Map => "map",
+            Self::SceneDepth => "scene depth",
+            Self::SceneNormal => "scene normal",
+            Self::Mask => "mask",
+        }
+    }
+}
+
+/// A generated shader module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shader {
+    /// What it is.
+    pub kind: ShaderKind,
+    /// WGSL source.
+    pub wgsl: Cow<'static, str>,
+    /// SPIR-V, little-endian words.
+    pub spirv: Cow<'static, [u8]>,
+}
+
+impl CaseTable {
+    /// The record of a kind, if the case has one.
+    pub fn record(&self, kind: RecordKind) -> Option<&Record> {
+        self.records.iter().find(|record| record.kind == kind)
+    }
+
+    /// The bind group of a shader with a content, if the case has one.
+    pub fn group(&self, shader: ShaderKind, content: GroupContent) -> Option<&BindGroup> {
+        self.groups.iter().find(|group| group.shader == shader && group.content == content)
+    }
+
+    /// The pass that runs a shader, if the case has one.
+    pub fn pass(&self, shader: ShaderKind) -> Option<&Pass> {
+        self.passes.iter().find(|pass| pass.shader == shader)
+    }
+
+    /// The generated module of a kind, if there is one.
+    pub fn shader(&self, kind: ShaderKind) -> Option<&Shader> {
+        self.shaders.iter().find(|shader| shader.kind == kind)
+    }
+
+    /// Largest number of facets of a plan.
+    pub fn facets(&self) -> u32 {
+        self.sectors * self.bands
+    }
+}

@@ -1,0 +1,257 @@
+//! From a case to its table.
+
+use std::borrow::Cow;
+
+use super::{
+    BindGroup, Binding, BindingKind, CaseTable, FieldType, GroupContent, Meaning, Pass, Record, RecordField,
+    RecordKind, Resource, ShaderKind,
+};
+use crate::case::{Bias, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
+
+impl CaseTable {
+    /// Records, bindings and passes of a case; shaders are left empty.
+    pub fn describe(case: &LightCase) -> Self {
+        let shape = case.shape();
+        let names = Names { prefix: &case.prefix };
+        let mut records = Vec::new();
+        let mut groups = vec![capture_group(&names, ShaderKind::Capture)];
+        let mut passes = vec![capture_pass(&names, ShaderKind::Capture)];
+        groups.push(capture_group(&names, ShaderKind::CaptureClamped));
+        passes.push(capture_pass(&names, ShaderKind::CaptureClamped));
+
+        // Resolving shares one record and one group layout between its interfaces.
+        records.push(facet_record(&names, case));
+        records.push(shadow_record(&names, case, records[0].size_bytes));
+        records.push(rows_record(&names));
+        for interface in &case.resolve {
+            match *interface {
+                Resolve::Mask { depth, normal } => {
+                    records.push(mask_record(&names, depth));
+                    groups.push(mask_group(&names, depth, normal));
+                    groups.push(shadow_group(&names, case, ShaderKind::Mask, 1));
+                    passes.push(mask_pass(&names, normal));
+                }
+                Resolve::Function { group } => {
+                    groups.push(shadow_group(&names, case, ShaderKind::Function, group));
+                }
+            }
+        }
+
+        Self {
+            case: case.name.clone().into(),
+            prefix: case.prefix.clone().into(),
+            fingerprint: fingerprint(case),
+            map_width: case.map.width,
+            map_height: case.map.height,
+            map_format: case.map.format,
+            sectors: shape.sectors,
+            bands: shape.bands,
+            fetches_per_pixel: 1,
+            records: records.into(),
+            groups: groups.into(),
+            passes: passes.into(),
+            shaders: Cow::Borrowed(&[]),
+        }
+    }
+}
+
+/// Emitted names of a case: `sun_mask_vertex`, `SunFacet`.
+struct Names<'a> {
+    prefix: &'a str,
+}
+
+impl Names<'_> {
+    fn value(&self, name: &str) -> Cow<'static, str> {
+        format!("{}_{name}", self.prefix).into()
+    }
+
+    fn ty(&self, name: &str) -> Cow<'static, str> {
+        let mut camel = String::new();
+        for part in self.prefix.split('_') {
+            let mut letters = part.chars();
+            camel.extend(letters.next().map(|first| first.to_ascii_uppercase()));
+            camel.push_str(letters.as_str());
+        }
+        format!("{camel}{name}").into()
+    }
+}
+
+/// Lays fields out by the uniform address space's rules.
+struct Layout {
+    fields: Vec<RecordField>,
+    next: u32,
+}
+
+impl Layout {
+    fn new() -> Self {
+        Self { fields: Vec::new(), next: 0 }
+    }
+
+    fn push(&mut self, name: &str, meaning: Meaning, ty: FieldType) {
+        let (size, align) = match ty {
+            FieldType::F32 => (4, 4),
+            FieldType::Vec2 => (8, 8),
+            FieldType::Vec4 => (16, 16),
+            FieldType::Facet => unreachable_size(),
+        };
+        let offset_bytes = self.next.next_multiple_of(align);
+        self.next = offset_bytes + size;
+        let name = name.to_owned().into();
+        self.fields.push(RecordField { name, meaning, ty, elements: 0, offset_bytes, stride_bytes: 0 });
+    }
+
+    fn push_array(&mut self, name: &str, meaning: Meaning, ty: FieldType, elements: u32, stride_bytes: u32) {
+        let offset_bytes = self.next.next_multiple_of(16);
+        self.next = offset_bytes + elements * stride_bytes;
+        let name = name.to_owned().into();
+        self.fields.push(RecordField { name, meaning, ty, elements, offset_bytes, stride_bytes });
+    }
+
+    fn record(self, kind: RecordKind, name: Cow<'static, str>) -> Record {
+        Record { kind, name, size_bytes: self.next.next_multiple_of(16), fields: self.fields.into() }
+    }
+}
+
+/// Facets only stand in arrays, whose stride is given.
+const fn unreachable_size() -> (u32, u32) {
+    (0, 16)
+}
+
+fn push_rows(layout: &mut Layout) {
+    layout.push("row_x", Meaning::RowX, FieldType::Vec4);
+    layout.push("row_y", Meaning::RowY, FieldType::Vec4);
+    layout.push("row_z", Meaning::RowZ, FieldType::Vec4);
+    layout.push("row_w", Meaning::RowW, FieldType::Vec4);
+}
+
+fn facet_record(names: &Names, case: &LightCase) -> Record {
+    let mut layout = Layout::new();
+    push_rows(&mut layout);
+    layout.push("texel_from_ndc", Meaning::TexelFromNdc, FieldType::Vec4);
+    layout.push("texel_limits", Meaning::TexelLimits, FieldType::Vec4);
+    match case.bias {
+        Bias::None => {}
+        Bias::Constant { .. } => layout.push("depth_per_metre", Meaning::DepthPerMetre, FieldType::F32),
+        Bias::Slope { .. } | Bias::WorldTexel { .. } => {
+            layout.push("depth_per_metre", Meaning::DepthPerMetre, FieldType::F32);
+            layout.push("texel_metres_per_w", Meaning::TexelMetresPerW, FieldType::F32);
+        }
+        Bias::ReceiverPlane => {
+            layout.push("receiver_plane_depth", Meaning::ReceiverPlaneDepth, FieldType::F32);
+        }
+    }
+    layout.record(RecordKind::Facet, names.ty("Facet"))
+}
+
+fn shadow_record(names: &Names, case: &LightCase, facet_bytes: u32) -> Record {
+    let shape = case.shape();
+    let mut layout = Layout::new();
+    if shape.sectors > 1 {
+        layout.push_array("borders", Meaning::Borders, FieldType::Vec4, shape.sectors, 16);
+    }
+    if shape.bands > 1 {
+        layout.push_array("distances", Meaning::Distances, FieldType::Vec4, shape.sectors, 16);
+        let vectors = shape.sectors * (shape.bands - 1).div_ceil(4);
+        layout.push_array("thresholds", Meaning::Thresholds, FieldType::Vec4, vectors, 16);
+    }
+    if matches!(case.bias, Bias::Slope { .. }) {
+        layout.push("toward_light", Meaning::TowardLight, FieldType::Vec4);
+    }
+    layout.push_array("facets", Meaning::Facets, FieldType::Facet, shape.facets(), facet_bytes);
+    layout.record(RecordKind::Shadow, names.ty("Shadow"))
+}
+
+fn rows_record(names: &Names) -> Record {
+    let mut layout = Layout::new();
+    push_rows(&mut layout);
+    layout.record(RecordKind::Capture, names.ty("Capture"))
+}
+
+fn mask_record(names: &Names, depth: MaskDepth) -> Record {
+    let mut layout = Layout::new();
+    layout.push("ray_corner", Meaning::RayCorner, FieldType::Vec4);
+    layout.push("ray_across", Meaning::RayAcross, FieldType::Vec4);
+    layout.push("ray_down", Meaning::RayDown, FieldType::Vec4);
+    if depth == MaskDepth::ReversedZ {
+        layout.push("inverse_depth", Meaning::InverseDepth, FieldType::Vec2);
+    }
+    layout.record(RecordKind::Mask, names.ty("Mask"))
+}
+
+fn capture_group(names: &Names, shader: ShaderKind) -> BindGroup {
+    let kind = BindingKind::Uniform { record: RecordKind::Capture, dynamic_offset: true };
+    let bindings = vec![Binding { binding: 0, name: names.value("capture"), kind }];
+    BindGroup { shader, content: GroupContent::CaptureFacet, group: 0, bindings: bindings.into() }
+}
+
+fn mask_group(names: &Names, depth: MaskDepth, normal: MaskNormal) -> BindGroup {
+    let view = BindingKind::Uniform { record: RecordKind::Mask, dynamic_offset: false };
+    let depth = match depth {
+        MaskDepth::ReversedZ => BindingKind::SceneDepth,
+        MaskDepth::Linear => BindingKind::SceneLinearDepth,
+    };
+    let mut bindings = vec![
+        Binding { binding: 0, name: names.value("mask"), kind: view },
+        Binding { binding: 1, name: names.value("scene_depth"), kind: depth },
+    ];
+    if normal == MaskNormal::Texture {
+        let name = names.value("scene_normal");
+        bindings.push(Binding { binding: 2, name, kind: BindingKind::SceneNormal });
+    }
+    BindGroup {
+        shader: ShaderKind::Mask,
+        content: GroupContent::MaskInput,
+        group: 0,
+        bindings: bindings.into(),
+    }
+}
+
+fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32) -> BindGroup {
+    let plan = BindingKind::Uniform { record: RecordKind::Shadow, dynamic_offset: false };
+    let mut bindings = vec![
+        Binding { binding: 0, name: names.value("shadow"), kind: plan },
+        Binding { binding: 1, name: names.value("map"), kind: BindingKind::Map },
+    ];
+    let sampler = match case.filter {
+        Filter::None => None,
+        Filter::Hardware2x2 => Some(BindingKind::ComparisonSampler),
+        Filter::Gather2x2 => Some(BindingKind::GatherSampler),
+    };
+    if let Some(kind) = sampler {
+        bindings.push(Binding { binding: 2, name: names.value("map_sampler"), kind });
+    }
+    BindGroup { shader, content: GroupContent::Shadow, group, bindings: bindings.into() }
+}
+
+fn capture_pass(names: &Names, shader: ShaderKind) -> Pass {
+    let clamped = shader == ShaderKind::CaptureClamped;
+    Pass {
+        shader,
+        vertex: names.value(&format!("{}_vertex", shader.name())),
+        fragment: clamped.then(|| names.value(&format!("{}_fragment", shader.name()))),
+        reads: Cow::Borrowed(&[Resource::Casters]),
+        writes: Cow::Borrowed(&[Resource::Map]),
+    }
+}
+
+fn mask_pass(names: &Names, normal: MaskNormal) -> Pass {
+    Pass {
+        shader: ShaderKind::Mask,
+        vertex: names.value("mask_vertex"),
+        fragment: Some(names.value("mask_fragment")),
+        reads: match normal {
+            MaskNormal::Reconstructed => Cow::Borrowed(&[Resource::Map, Resource::SceneDepth]),
+            MaskNormal::Texture => {
+                Cow::Borrowed(&[Resource::Map, Resource::SceneDepth, Resource::SceneNormal])
+            }
+        },
+        writes: Cow::Borrowed(&[Resource::Mask]),
+    }
+}
+
+/// 64-bit FNV-1a over the debug form of the declaration, which spells every field and exact float.
+fn fingerprint(case: &LightCase) -> u64 {
+    const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
+    const PRIME: u64 = 0x0000_0100_0000_01b3;
+    format!("{case:?}").bytes().fold(OFFSET, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME))
+}

@@ -1,0 +1,1 @@
+//! Scenes, ray-cast truth, scores and pictures for shadow maps.

@@ -1,0 +1,1 @@
+//! The light_case! macro: a thin door to cssm-codegen.

@@ -1,0 +1,1 @@
+//! The shadow service: executes generated tables on wgpu.

@@ -1,0 +1,1 @@
+//! Shadow maps from declared light cases: the crate users add.

@@ -1,0 +1,1 @@
+//! Command line of the shader generator: emit, check, explain.

@@ -5,11 +5,14 @@
 //! door (text, macro, build script, builder) ends in [`LightCase::from_arguments`], so equal declarations are
 //! equal values and generate equal bytes.
 
+mod arguments;
 mod builder;
 mod check;
 mod fields;
+mod names;
 
 pub use builder::LightCaseBuilder;
+pub(crate) use check::infinite_receivers;
 pub use fields::{FIELDS, MAP_SIDE_LIMIT_TEXELS};
 
 use crate::facet::FacetShape;
@@ -31,6 +34,8 @@ pub struct LightCase {
     pub far: FarKind,
     /// Farthest receiver depth in metres, if the declaration bounds it.
     pub shadow_distance_metres: Option<f64>,
+    /// Whether every plan is promised finite scene bounds; a plan without them is then a typed error.
+    pub scene_bounds: bool,
     /// Technique and its parameters; the name is in [`technique::TECHNIQUES`].
     pub technique: Word,
     /// Configurations that may be chosen, best first; names of the technique's own table.
@@ -251,6 +256,13 @@ impl LightCase {
     /// Gutter of every tile in texels.
     pub fn gutter_texels(&self) -> u32 {
         self.map.gutter.unwrap_or(self.filter.radius_texels() + 1)
+    }
+}
+
+impl CaseError {
+    /// Other fields that a contradiction at this field involves, as top-level names.
+    pub fn related(&self) -> &'static [&'static str] {
+        check::related(&self.field)
     }
 }
 

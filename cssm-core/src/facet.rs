@@ -124,6 +124,11 @@ pub struct Selection {
 }
 
 impl Selection {
+    /// The walk of a plan with one facet.
+    pub fn single() -> Self {
+        Self { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands: 1 }
+    }
+
     /// The sector of a homogeneous point relative to the eye.
     pub fn sector(&self, point: DVec4) -> u32 {
         let Some(first) = self.borders.first() else { return 0 };

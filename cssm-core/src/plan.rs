@@ -2,9 +2,16 @@
 
 use glam::{DVec3, DVec4};
 
-use crate::case::LightCase;
+mod casters;
+mod finish;
+mod window;
+
+use crate::case::{FarKind, LightCase};
 use crate::facet::{Facet, Selection};
+use crate::layout::{self, MapArea, TileDemand};
 use crate::light::Light;
+use crate::receivers::Polytope;
+use crate::technique::Situation;
 use crate::view::View;
 
 /// What is known about the scene.
@@ -113,6 +120,77 @@ pub fn plan(
     light: &Light,
     bounds: &SceneBounds,
 ) -> Result<ShadowPlan, PlanError> {
-    let _ = (case, view, light, bounds);
-    Err(PlanError::NotFinite { what: "the plan (not built yet)" })
+    // Bring the light to camera space; refuse what is not finite.
+    let light_world = light.homogeneous();
+    if !light_world.is_finite() {
+        return Err(PlanError::NotFinite { what: "the light" });
+    }
+    if case.far == FarKind::Finite && view.far_metres.is_infinite() {
+        return Err(PlanError::InfiniteView);
+    }
+    let toward = (view.camera_from_world * light_world.truncate()).normalize();
+    let situation =
+        Situation { case, view, light: toward.extend(0.0), receivers: receivers(case, view, bounds)? };
+
+    // Let the technique choose facets, fit their windows and share the map among those with receivers.
+    let draft = (case.technique_spec().draft)(&situation)?;
+    let windows = window::fit(&draft, &situation);
+    let demands: Vec<TileDemand> = windows.iter().map(window::Window::demand).collect();
+    let area = MapArea {
+        width: case.map.width,
+        height: case.map.height,
+        gutter: case.gutter_texels(),
+        strips: case.map.columns,
+    };
+    let tiles = if demands.is_empty() { Vec::new() } else { layout::place(&demands, &area)? };
+
+    // Finish each facet and turn everything to world axes.
+    let camera_from_world = view.camera_from_world;
+    let row_to_world = |row: DVec4| (camera_from_world.transpose() * row.truncate()).extend(row.w);
+    let mut facets = Vec::with_capacity(windows.len());
+    for (window, tile) in windows.into_iter().zip(tiles) {
+        let facet = finish::finish(window, tile, &situation)?;
+        facets.push(facet.turned(&row_to_world));
+    }
+    let mut selection = draft.selection;
+    for row in selection.borders.iter_mut().chain(&mut selection.distances) {
+        *row = row_to_world(*row);
+    }
+    Ok(ShadowPlan {
+        configuration: draft.configuration,
+        eye_world: view.eye_world,
+        light: light_world,
+        map_size_texels: (case.map.width, case.map.height),
+        selection,
+        facets,
+    })
+}
+
+/// Everything visible that may be in shadow, in camera space.
+fn receivers(case: &LightCase, view: &View, bounds: &SceneBounds) -> Result<Polytope, PlanError> {
+    let far = case.shadow_distance_metres.map_or(view.far_metres, |distance| distance.min(view.far_metres));
+    if far <= view.near_metres {
+        return Ok(Polytope::empty());
+    }
+    let mut receivers = Polytope::frustum(view, far);
+    if let Some(bounds) = &bounds.receivers {
+        if !bounds.min.is_finite() || !bounds.max.is_finite() {
+            return Err(PlanError::NotFinite { what: "the receivers' bounding box" });
+        }
+        receivers.cut_by_box(bounds, view.eye_world, &view.camera_from_world);
+    }
+    Ok(receivers)
+}
+
+impl Facet {
+    /// The facet with every row and vertex turned from camera axes to world axes.
+    fn turned(mut self, row_to_world: &impl Fn(DVec4) -> DVec4) -> Self {
+        let rows = [&mut self.rows.x, &mut self.rows.y, &mut self.rows.z, &mut self.rows.w];
+        let lists = [&mut self.select, &mut self.clip, &mut self.casters, &mut self.receivers];
+        // The rotation is orthogonal, so points turn as rows do.
+        for row in rows.into_iter().chain(lists.into_iter().flatten()) {
+            *row = row_to_world(*row);
+        }
+        self
+    }
 }

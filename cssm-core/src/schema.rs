@@ -5,6 +5,12 @@
 //! A [`Value`] is what a declaration holds once it is checked: names are resolved, units converted, defaults
 //! filled in.
 
+mod check;
+mod defaults;
+
+pub use check::Fault;
+pub use defaults::fill;
+
 /// A declared field or argument: its name, what it may hold and what it means when it is left out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Field {
@@ -92,6 +98,39 @@ pub enum Unit {
     Texels,
 }
 
+impl Unit {
+    /// Unit names that may be written.
+    pub const fn names(self) -> &'static [&'static str] {
+        match self {
+            Self::None => &[],
+            Self::Length => &["mm", "cm", "m", "km"],
+            Self::Texels => &["texel", "texels"],
+        }
+    }
+
+    /// A number written with one of [`Unit::names`], in base units (metres, texels); `None` for any other unit.
+    /// The empty name is the missing unit of a pure number.
+    pub fn base(self, number: f64, name: &str) -> Option<f64> {
+        // Divide by whole powers of ten: they are exact, so equal lengths in different units round to equal metres.
+        match (self, name) {
+            (Self::None, "") | (Self::Length, "m") | (Self::Texels, "texel" | "texels") => Some(number),
+            (Self::Length, "mm") => Some(number / 1e3),
+            (Self::Length, "cm") => Some(number / 1e2),
+            (Self::Length, "km") => Some(number * 1e3),
+            _ => None,
+        }
+    }
+
+    /// Name of the base unit; empty for pure numbers.
+    pub const fn base_name(self) -> &'static str {
+        match self {
+            Self::None => "",
+            Self::Length => "m",
+            Self::Texels => "texels",
+        }
+    }
+}
+
 /// One of the names a [`Kind::Choice`] allows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Choice {
@@ -103,7 +142,19 @@ pub struct Choice {
     pub arguments: &'static [Field],
 }
 
+impl Field {
+    /// The field of a name.
+    pub fn find<'a>(fields: &'a [Self], name: &str) -> Option<&'a Self> {
+        fields.iter().find(|field| field.name == name)
+    }
+}
+
 impl Choice {
+    /// The choice of a name.
+    pub fn find<'a>(choices: &'a [Self], name: &str) -> Option<&'a Self> {
+        choices.iter().find(|choice| choice.name == name)
+    }
+
     /// A choice without arguments.
     pub const fn plain(name: &'static str, summary: &'static str) -> Self {
         Self { name, summary, arguments: &[] }
@@ -187,6 +238,22 @@ impl Arguments {
         }
     }
 
+    /// A nested group, if the field is there and holds one.
+    pub fn group(&self, name: &str) -> Option<&Self> {
+        match self.get(name)? {
+            Value::Group(group) => Some(group),
+            _ => None,
+        }
+    }
+
+    /// Chosen names, if the field is there and holds a list of them; else none.
+    pub fn words(&self, name: &str) -> &[Word] {
+        match self.get(name) {
+            Some(Value::Words(words)) => words,
+            _ => &[],
+        }
+    }
+
     /// Sizes in texels, if the field is there and holds them.
     pub fn sizes(&self, name: &str) -> Option<&[(u32, u32)]> {
         match self.get(name)? {
@@ -194,15 +261,4 @@ impl Arguments {
             _ => None,
         }
     }
-}
-
-/// Metres or texels in one of a unit, by its written name; the empty name is 1.
-pub fn unit_scale(unit: &str) -> Option<f64> {
-    Some(match unit {
-        "" | "m" | "texel" | "texels" => 1.0,
-        "mm" => 1e-3,
-        "cm" => 1e-2,
-        "km" => 1e3,
-        _ => return None,
-    })
 }

@@ -34,6 +34,8 @@ pub struct CaseTable {
     pub bands: u32,
     /// Texture fetch instructions of the map per resolved pixel.
     pub fetches_per_pixel: u32,
+    /// Numbers that the shaders are specialised for.
+    pub constants: Cow<'static, [Constant]>,
     /// Uniform records; nested ones before those that hold them.
     pub records: Cow<'static, [Record]>,
     /// Bind groups by shader.
@@ -42,6 +44,79 @@ pub struct CaseTable {
     pub passes: Cow<'static, [Pass]>,
     /// Shader modules; empty until code generation has run.
     pub shaders: Cow<'static, [Shader]>,
+}
+
+/// A number that the shaders are specialised for; a shader declares those it uses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Constant {
+    /// What it is.
+    pub kind: ConstantKind,
+    /// Shader name, prefix included: `SUN_MAP_SIZE`.
+    pub name: Cow<'static, str>,
+    /// Its value.
+    pub value: ConstantValue,
+}
+
+/// The constants a case can have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ConstantKind {
+    /// Width and height of the map in texels.
+    MapSize,
+    /// Sectors around the eye.
+    Sectors,
+    /// Bands in each sector.
+    Bands,
+    /// Vectors of four thresholds in each sector.
+    ThresholdVectors,
+    /// Bias `constant`: metres along the light.
+    BiasMetres,
+    /// Bias `slope`: multiple of the local texel.
+    BiasTexels,
+    /// Bias `world_texel`: metres along the light.
+    BiasAMetres,
+    /// Bias `world_texel`: multiple of the local texel.
+    BiasBTexels,
+}
+
+impl ConstantKind {
+    /// Name in the shader library, without a prefix.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MapSize => "MAP_SIZE",
+            Self::Sectors => "SECTORS",
+            Self::Bands => "BANDS",
+            Self::ThresholdVectors => "THRESHOLD_VECTORS",
+            Self::BiasMetres => "BIAS_METRES",
+            Self::BiasTexels => "BIAS_TEXELS",
+            Self::BiasAMetres => "BIAS_A_METRES",
+            Self::BiasBTexels => "BIAS_B_TEXELS",
+        }
+    }
+
+    /// One sentence for the comments of shaders and tables.
+    pub const fn summary(self) -> &'static str {
+        match self {
+            Self::MapSize => "Width and height of the map in texels.",
+            Self::Sectors => "Sectors around the eye.",
+            Self::Bands => "Bands of distance in each sector.",
+            Self::ThresholdVectors => "Vectors of four band limits in each sector.",
+            Self::BiasMetres => "Bias along the light in metres.",
+            Self::BiasTexels => "Bias as a multiple of the local texel and the tangent of the light's angle.",
+            Self::BiasAMetres => "Constant part of the bias, metres along the light.",
+            Self::BiasBTexels => "Part of the bias that scales with the local texel, in texels.",
+        }
+    }
+}
+
+/// Value of a constant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ConstantValue {
+    /// `u32`
+    U32(u32),
+    /// `f32`
+    F32(f32),
+    /// `vec2<f32>`
+    Vec2([f32; 2]),
 }
 
 /// A struct in uniform address space.
@@ -68,6 +143,28 @@ pub enum RecordKind {
     Capture,
     /// What the mask pass needs of the view.
     Mask,
+}
+
+impl RecordKind {
+    /// Type name in the shader library, without a prefix.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Facet => "Facet",
+            Self::Shadow => "Shadow",
+            Self::Capture => "Capture",
+            Self::Mask => "Mask",
+        }
+    }
+
+    /// One sentence for the comments of shaders and tables.
+    pub const fn summary(self) -> &'static str {
+        match self {
+            Self::Facet => "What resolving needs of one facet; all zero where a plan has none.",
+            Self::Shadow => "What resolving needs of a plan.",
+            Self::Capture => "What capturing needs of one facet: its matrix, row by row.",
+            Self::Mask => "What the mask pass needs of the view.",
+        }
+    }
 }
 
 /// A field of a record.
@@ -140,6 +237,32 @@ pub enum Meaning {
     RayDown,
     /// 1 / depth = x * stored + y, for reversed-z depth.
     InverseDepth,
+}
+
+impl Meaning {
+    /// One sentence for the comments of shaders and tables.
+    pub const fn summary(self) -> &'static str {
+        match self {
+            Self::RowX => "Clip x of the tile, to the right.",
+            Self::RowY => "Clip y of the tile, upwards.",
+            Self::RowZ => "Clip z, growing away from the light.",
+            Self::RowW => "Clip w, positive on receivers.",
+            Self::TexelFromNdc => "Map texel coordinates = clip space after division * xy + zw.",
+            Self::TexelLimits => "Smallest (xy) and largest (zw) map texel coordinates of the facet's receivers.",
+            Self::DepthPerMetre => "Depth times w per metre away from the light.",
+            Self::TexelMetresPerW => "Larger side of a texel across the light in metres, per w.",
+            Self::ReceiverPlaneDepth => "Depth by which an exact receiver plane is lowered.",
+            Self::TowardLight => "Unit vector towards the light, world axes.",
+            Self::Borders => "Border rows of the sectors, in walking order; the first closes the ring.",
+            Self::Distances => "Distance row of each sector.",
+            Self::Thresholds => "Ascending band limits of each sector, four to a vector; unused ones are out of reach.",
+            Self::Facets => "The facets: index = sector * bands + band.",
+            Self::RayCorner => "Direction through the image's upper left corner, depth 1, world axes.",
+            Self::RayAcross => "Change of that direction across the whole image.",
+            Self::RayDown => "Change of that direction down the whole image.",
+            Self::InverseDepth => "One over the depth in metres = stored depth * x + y.",
+        }
+    }
 }
 
 /// Bindings of one group of one shader.
@@ -276,11 +399,16 @@ pub struct Shader {
     pub kind: ShaderKind,
     /// WGSL source.
     pub wgsl: Cow<'static, str>,
-    /// SPIR-V, little-endian words.
+    /// SPIR-V, little-endian words; empty for [`ShaderKind::Function`], which has no entry point.
     pub spirv: Cow<'static, [u8]>,
 }
 
 impl CaseTable {
+    /// The constant of a kind, if the case has one.
+    pub fn constant(&self, kind: ConstantKind) -> Option<&Constant> {
+        self.constants.iter().find(|constant| constant.kind == kind)
+    }
+
     /// The record of a kind, if the case has one.
     pub fn record(&self, kind: RecordKind) -> Option<&Record> {
         self.records.iter().find(|record| record.kind == kind)

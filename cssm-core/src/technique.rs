@@ -4,9 +4,14 @@ pub mod camera_space;
 pub mod parallel_split;
 pub mod standard;
 
+use glam::DVec4;
+
 use crate::case::{CaseError, LightCase};
-use crate::facet::FacetShape;
+use crate::facet::{FacetShape, Selection};
+use crate::plan::PlanError;
+use crate::receivers::Polytope;
 use crate::schema::Choice;
+use crate::view::View;
 
 /// What the house knows about a technique.
 #[derive(Debug, Clone, Copy)]
@@ -17,10 +22,14 @@ pub struct TechniqueSpec {
     pub configurations: &'static [Choice],
     /// Default distribution in the declaration grammar; `None`: the technique takes none.
     pub distribution: Option<&'static str>,
+    /// Whether it can fit receivers at infinity; if not, the case must bound them.
+    pub fits_infinity: bool,
     /// Facet shape of a case that uses it.
     pub shape: fn(&LightCase) -> FacetShape,
     /// Contradictions between its parameters and the rest of the case.
     pub check: fn(&LightCase) -> Vec<CaseError>,
+    /// Its facets in a situation.
+    pub draft: fn(&Situation<'_>) -> Result<Draft, PlanError>,
 }
 
 /// Every technique.
@@ -36,4 +45,60 @@ pub const CONFIGURATIONS: &[Choice] =
 /// The entry of a name that a checked case holds; an unknown name falls to the first entry.
 pub fn spec(name: &str) -> &'static TechniqueSpec {
     TECHNIQUES.iter().find(|spec| spec.choice.name == name).unwrap_or(&TECHNIQUES[0])
+}
+
+/// What a technique sees of a frame, in camera space (right-handed, x right, y up, looking along -z).
+#[derive(Debug)]
+pub struct Situation<'a> {
+    /// The declaration.
+    pub case: &'a LightCase,
+    /// The view; only its projection is meaningful here.
+    pub view: &'a View,
+    /// The light as a homogeneous point: unit direction towards it, w = 0.
+    pub light: DVec4,
+    /// Everything visible that may be in shadow.
+    pub receivers: Polytope,
+}
+
+/// What a technique answers: the walk and the facets, before tiles, depth rows and windows are found.
+#[derive(Debug)]
+pub struct Draft {
+    /// Chosen configuration.
+    pub configuration: &'static str,
+    /// The walk from a receiver to its facet.
+    pub selection: Selection,
+    /// The facets.
+    pub facets: Vec<FacetDraft>,
+}
+
+/// A facet before its window is fitted: rows up to an affine change of x and y.
+#[derive(Debug)]
+pub struct FacetDraft {
+    /// Index in the selection's numbering.
+    pub index: u32,
+    /// Across; annihilates the light.
+    pub x: DVec4,
+    /// Up the tile; annihilates the light.
+    pub y: DVec4,
+    /// Divisor, positive on receivers; annihilates the light.
+    pub w: DVec4,
+    /// Half-spaces of its own receivers.
+    pub select: Vec<DVec4>,
+    /// Half-spaces of caster parts that may be drawn.
+    pub clip: Vec<DVec4>,
+    /// Its own receivers.
+    pub receivers: Polytope,
+    /// How much of the map it asks for.
+    pub tile: TileRequest,
+}
+
+/// How much of the map a facet asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TileRequest {
+    /// As many texels as make its footprint equal to the others'.
+    Footprint,
+    /// A share of the map, as square as can be.
+    Share(f64),
+    /// Width and height in texels.
+    Fixed(u32, u32),
 }

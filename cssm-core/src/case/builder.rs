@@ -1,6 +1,6 @@
 //! The Rust door to a light case.
 
-use super::{Bias, CaseError, DepthFormat, FarKind, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
+use super::{Bias, CaseError, DepthFormat, FarKind, Filter, LightCase, Resolve};
 use crate::schema::{Arguments, Value, Word};
 
 /// A declaration in Rust; every field has the default of the text grammar.
@@ -32,16 +32,17 @@ impl LightCaseBuilder {
 
     /// How far views reach.
     pub fn far(self, far: FarKind) -> Self {
-        let far = Word::plain(match far {
-            FarKind::Infinite => "infinite",
-            FarKind::Finite => "finite",
-        });
-        self.set("view", Value::Word(Word::with("perspective", [("far", Value::Word(far))])))
+        self.set("view", Value::Word(far.view_word()))
     }
 
     /// Farthest receiver depth in metres.
     pub fn shadow_distance_metres(self, metres: f64) -> Self {
         self.set("shadow_distance", Value::Number(metres))
+    }
+
+    /// Promises that every plan is given finite scene bounds.
+    pub fn scene_bounds(self, promised: bool) -> Self {
+        self.set("bounds", Value::Word(Word::plain(if promised { "scene" } else { "none" })))
     }
 
     /// The technique and its parameters, such as `Word::plain("camera_space")`; parameters left out take their
@@ -89,36 +90,12 @@ impl LightCaseBuilder {
 
     /// How bias is found.
     pub fn bias(self, bias: Bias) -> Self {
-        let arguments = match bias {
-            Bias::None | Bias::ReceiverPlane => vec![],
-            Bias::Constant { along_light_metres } => vec![("along_light", Value::Number(along_light_metres))],
-            Bias::Slope { texels } => vec![("scale", Value::Number(texels))],
-            Bias::WorldTexel { a_metres, b_texels } => {
-                vec![("a", Value::Number(a_metres)), ("b", Value::Number(b_texels))]
-            }
-        };
-        self.set("bias", Value::Word(Word::with(bias.name(), arguments)))
+        self.set("bias", Value::Word(bias.word()))
     }
 
     /// Interfaces that the shaders offer.
     pub fn resolve(self, interfaces: &[Resolve]) -> Self {
-        let words = interfaces.iter().map(|interface| match interface {
-            Resolve::Mask { depth, normal } => {
-                let depth = match depth {
-                    MaskDepth::ReversedZ => "reversed_z",
-                    MaskDepth::Linear => "linear",
-                };
-                let normal = match normal {
-                    MaskNormal::Reconstructed => "reconstructed",
-                    MaskNormal::Texture => "texture",
-                };
-                let arguments =
-                    [("depth", Value::Word(Word::plain(depth))), ("normal", Value::Word(Word::plain(normal)))];
-                Word::with("mask", arguments)
-            }
-            Resolve::Function { group } => Word::with("function", [("group", Value::Count(*group))]),
-        });
-        let words = words.collect();
+        let words = interfaces.iter().map(|interface| interface.word()).collect();
         self.set("resolve", Value::Words(words))
     }
 

@@ -1,10 +1,8 @@
-//! From checked arguments to a light case: defaults, ranges of the Rust door, contradictions.
+//! From arguments to a light case: the schema's checks, defaults, contradictions.
 
-use super::{
-    Bias, CaseError, DepthFormat, FarKind, Filter, LightCase, LightKind, MapSpec, MaskDepth, MaskNormal, Resolve,
-};
-use crate::case::fields::FIELDS;
-use crate::schema::{Arguments, Choice, Default, Field, Kind, Value, Word};
+use super::names::{default_prefix, is_camel_case, is_prefix, upper_camel};
+use super::{Bias, CaseError, FIELDS, FarKind, Filter, LightCase, LightKind, MapSpec, MaskNormal, Resolve};
+use crate::schema::{self, Arguments, Choice, Field, Kind, Value, Word};
 use crate::technique;
 
 pub(super) fn from_arguments(
@@ -14,288 +12,210 @@ pub(super) fn from_arguments(
     arguments: &Arguments,
 ) -> Result<LightCase, Vec<CaseError>> {
     let mut errors = Vec::new();
-    let mut at = |field: &str, message: String, remedy: &str| {
-        errors.push(CaseError { field: field.into(), message, remedy: remedy.into() });
-    };
 
     // Check every value against the schema: the Rust door does not pass through the text grammar.
-    check_fields(FIELDS, arguments, "", &mut at);
+    check_fields(FIELDS, arguments, "", &mut errors);
     if !is_camel_case(name) {
-        at("name", format!("`{name}` is not a case name"), "use upper camel case, such as `Sun`");
+        let remedy = format!("use upper camel case, such as `{}`", upper_camel(name));
+        errors.push(error("name", format!("`{name}` is not a case name"), remedy));
     }
+
+    // Go on with the fields that hold, and look for contradictions that involve no other field.
+    let faulty: Vec<String> = errors.iter().map(|error| top_level(&error.field).to_owned()).collect();
+    let sound = arguments.0.iter().filter(|(field, _)| !faulty.iter().any(|faulty| faulty == field));
+    let sound = schema::fill(FIELDS, &Arguments(sound.cloned().collect()));
+    let (case, contradictions) = read(name, doc, public, &sound);
+    errors.extend(contradictions.into_iter().filter(|error| {
+        let mut fields = error.related().iter().copied().chain([top_level(&error.field)]);
+        !fields.any(|field| faulty.iter().any(|faulty| faulty == field))
+    }));
+    if errors.is_empty() { Ok(case) } else { Err(errors) }
+}
+
+/// Other fields that a contradiction at a field involves.
+pub(super) fn related(field: &str) -> &'static [&'static str] {
+    match field {
+        "configurations" | "distribution" => &["technique"],
+        "technique" => &["view", "shadow_distance", "bounds"],
+        "map.gutter" => &["filter"],
+        "resolve.mask.normal" => &["bias"],
+        "prefix" => &["name"],
+        _ => &[],
+    }
+}
+
+/// The error of a technique that cannot reach infinitely far, if nothing in the case keeps receivers finite.
+fn infinite_receivers(case: &LightCase) -> Option<CaseError> {
+    let bounded = case.far == FarKind::Finite || case.shadow_distance_metres.is_some() || case.scene_bounds;
+    let message = format!("technique `{}` cannot serve receivers at infinity", case.technique.name);
+    let remedy = "declare `shadow_distance: 1000 m`, `bounds: scene` or `view: perspective { far: finite }`";
+    (!bounded).then(|| error("technique", message, remedy))
+}
+
+/// The case of sound arguments whose defaults are filled in, and its contradictions.
+fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCase, Vec<CaseError>) {
+    let mut errors = Vec::new();
     let prefix = match arguments.get("prefix") {
         Some(Value::Name(prefix)) => prefix.clone(),
         _ => default_prefix(name),
     };
     if !is_prefix(&prefix) {
-        at(
-            "prefix",
-            format!("`{prefix}` cannot prefix shader names"),
-            "use lower snake case that starts with a letter and ends in a letter, such as `sun`",
-        );
+        let remedy = "use lower snake case that starts and ends in a letter, such as `sun`";
+        errors.push(error("prefix", format!("`{prefix}` cannot prefix shader names"), remedy));
     }
 
     // Read the technique and what belongs to it.
-    let technique =
-        arguments.word("technique").cloned().unwrap_or_else(|| Word::plain("camera_space"));
+    let technique = arguments.word("technique").cloned().unwrap_or_else(|| Word::plain("camera_space"));
     let spec = technique::spec(technique.name);
-    let technique = with_defaults(&technique, spec.choice.arguments);
-    let own = spec.configurations;
-    let configurations = match arguments.get("configurations") {
-        Some(Value::Words(words)) => words.clone(),
-        _ => vec![Word::plain(own[0].name)],
-    };
+    let mut configurations = arguments.words("configurations").to_vec();
     for word in &configurations {
-        if !own.iter().any(|choice| choice.name == word.name) {
-            let names: Vec<_> = own.iter().map(|choice| format!("`{}`", choice.name)).collect();
-            at(
+        if Choice::find(spec.configurations, word.name).is_none() {
+            let names: Vec<_> = spec.configurations.iter().map(|choice| format!("`{}`", choice.name)).collect();
+            errors.push(error(
                 "configurations",
                 format!("technique `{}` has no configuration `{}`", technique.name, word.name),
-                &format!("use {}", names.join(", ")),
-            );
+                format!("use {}", names.join(", ")),
+            ));
         }
+    }
+    if configurations.is_empty() {
+        configurations.extend(spec.configurations.first().map(|choice| Word::plain(choice.name)));
     }
     let distribution = match (arguments.word("distribution"), spec.distribution) {
         (Some(word), None) => {
-            at(
-                "distribution",
-                format!("technique `{}` has no distribution, but `{}` is declared", technique.name, word.name),
-                "leave distribution out",
-            );
+            let message =
+                format!("technique `{}` has no distribution, but `{}` is declared", technique.name, word.name);
+            errors.push(error("distribution", message, "leave `distribution` out"));
             None
         }
-        (word, Some(_)) => {
-            let word = word.cloned().unwrap_or_else(|| Word::plain("bands"));
-            Some(with_defaults(&word, bands_arguments()))
-        }
-        (None, None) => None,
+        (Some(word), Some(_)) => Some(word.clone()),
+        (None, default) => default.and_then(default_distribution),
     };
 
     // Read the rest.
-    let far = arguments.word("view").and_then(|view| view.arguments.word("far"));
-    let far = match far.map(|word| word.name) {
-        Some("finite") => FarKind::Finite,
-        _ => FarKind::Infinite,
-    };
     let case = LightCase {
         name: name.into(),
-        doc: doc.into(),
+        doc: tidy(doc),
         public,
         light: LightKind::Directional,
-        far,
+        far: FarKind::of_view(arguments.word("view")),
         shadow_distance_metres: arguments.number("shadow_distance"),
+        scene_bounds: arguments.word("bounds").is_some_and(|word| word.name == "scene"),
         technique,
         configurations,
         distribution,
-        map: map_spec(arguments),
-        filter: match arguments.word("filter").map(|word| word.name) {
-            Some("none") => Filter::None,
-            Some("hardware_2x2") => Filter::Hardware2x2,
-            _ => Filter::Gather2x2,
-        },
-        bias: bias(arguments.word("bias")),
-        resolve: resolve(arguments.get("resolve")),
+        map: MapSpec::of_group(arguments.group("map")),
+        filter: Filter::of_word(arguments.word("filter")),
+        bias: Bias::of_word(arguments.word("bias")),
+        resolve: arguments.words("resolve").iter().map(Resolve::of_word).collect(),
         prefix,
     };
-    for error in (spec.check)(&case) {
-        at(&error.field, error.message, &error.remedy);
+
+    // Find what contradicts itself.
+    errors.extend((spec.check)(&case));
+    if !spec.fits_infinity {
+        errors.extend(infinite_receivers(&case));
     }
-    if let Some(gutter) = case.map.gutter
-        && gutter < case.filter.radius_texels()
-    {
-        at(
+    let reach = case.filter.radius_texels();
+    if let Some(gutter) = case.map.gutter.filter(|gutter| *gutter < reach) {
+        let filter = case.filter.name();
+        errors.push(error(
             "map.gutter",
-            format!(
-                "a gutter of {gutter} texels is narrower than the reach of filter `{}`, {} texel",
-                case.filter.name(),
-                case.filter.radius_texels()
-            ),
-            "write `gutter: auto` or a gutter of at least the filter's reach",
-        );
+            format!("a gutter of {gutter} texels is narrower than the reach of filter `{filter}`, {reach} texel"),
+            format!("use `auto` or at least {reach}"),
+        ));
     }
-    if errors.is_empty() { Ok(case) } else { Err(errors) }
-}
-
-fn map_spec(arguments: &Arguments) -> MapSpec {
-    let empty = Arguments::default();
-    let map = match arguments.get("map") {
-        Some(Value::Group(map)) => map,
-        _ => &empty,
-    };
-    let (width, height) = match map.get("size") {
-        Some(Value::Size(width, height)) => (*width, *height),
-        _ => (2048, 2048),
-    };
-    let format = match map.word("format").map(|word| word.name) {
-        Some("depth16unorm") => DepthFormat::Depth16Unorm,
-        _ => DepthFormat::Depth32Float,
-    };
-    MapSpec { width, height, columns: map.count("columns"), format, gutter: map.count("gutter") }
-}
-
-fn bias(word: Option<&Word>) -> Bias {
-    let Some(word) = word else { return Bias::ReceiverPlane };
-    let number = |name: &str, default: f64| word.arguments.number(name).unwrap_or(default);
-    match word.name {
-        "none" => Bias::None,
-        "constant" => Bias::Constant { along_light_metres: number("along_light", 0.05) },
-        "slope" => Bias::Slope { texels: number("scale", 1.5) },
-        "world_texel" => Bias::WorldTexel { a_metres: number("a", 0.01), b_texels: number("b", 1.5) },
-        _ => Bias::ReceiverPlane,
+    let reads_texture =
+        |interface: &Resolve| matches!(interface, Resolve::Mask { normal: MaskNormal::Texture, .. });
+    if case.resolve.iter().any(reads_texture) && !case.bias.reads_normal() {
+        errors.push(error(
+            "resolve.mask.normal",
+            format!("the mask is given a texture of normals, but bias `{}` reads no normal", case.bias.name()),
+            "leave `normal` out, or use bias `receiver_plane` or `slope`",
+        ));
     }
+    (case, errors)
 }
 
-fn resolve(value: Option<&Value>) -> Vec<Resolve> {
-    let default = [Word::plain("mask"), Word::plain("function")];
-    let words = match value {
-        Some(Value::Words(words)) => words.as_slice(),
-        _ => &default,
-    };
-    let read = |word: &Word| {
-        if word.name == "function" {
-            return Resolve::Function { group: word.arguments.count("group").unwrap_or(2) };
-        }
-        let name = |field: &str| word.arguments.word(field).map(|word| word.name);
-        Resolve::Mask {
-            depth: if name("depth") == Some("linear") { MaskDepth::Linear } else { MaskDepth::ReversedZ },
-            normal: if name("normal") == Some("texture") {
-                MaskNormal::Texture
-            } else {
-                MaskNormal::Reconstructed
-            },
-        }
-    };
-    words.iter().map(read).collect()
-}
-
-fn bands_arguments() -> &'static [Field] {
-    let field = FIELDS.iter().find(|field| field.name == "distribution");
-    match field.map(|field| field.kind) {
-        Some(Kind::Choice(choices)) => choices[0].arguments,
-        _ => &[],
-    }
-}
-
-/// The word with the schema's defaults for numbers and plain words it leaves out.
-fn with_defaults(word: &Word, fields: &'static [Field]) -> Word {
-    let arguments = fields.iter().filter_map(|field| {
-        let value = word.arguments.get(field.name).cloned();
-        value.or_else(|| default_value(field)).map(|value| (field.name, value))
-    });
-    Word::with(word.name, arguments)
-}
-
-/// The default of a count, a number or a choice, read from the schema's text.
-fn default_value(field: &Field) -> Option<Value> {
-    let Default::Value(text) = field.default else { return None };
-    match field.kind {
-        Kind::Count { .. } => text.parse().ok().map(Value::Count),
-        Kind::Number { .. } => {
-            let (number, unit) = text.split_once(' ').unwrap_or((text, ""));
-            let scale = crate::schema::unit_scale(unit).unwrap_or(1.0);
-            number.parse::<f64>().ok().map(|number| Value::Number(number * scale))
-        }
-        Kind::Choice(choices) => {
-            let name = text.split([' ', '(', '{']).next().unwrap_or(text);
-            let choice = choices.iter().find(|choice| choice.name == name)?;
-            Some(Value::Word(with_defaults(&Word::plain(choice.name), choice.arguments)))
-        }
+/// The default distribution of a technique, such as `bands(8)`, with the schema's arguments.
+fn default_distribution(text: &'static str) -> Option<Word> {
+    let field = Field::find(FIELDS, "distribution")?;
+    let default = schema::Default::Value(text);
+    match (Field { default, ..*field }).default_value() {
+        Some(Value::Word(word)) => Some(word),
         _ => None,
     }
+}
+
+/// The doc text without trailing spaces, blank lines around it, and characters that no comment may hold.
+fn tidy(doc: &str) -> String {
+    let turns_text = |letter: &char| matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let keep = |letter: &char| (!letter.is_control() || *letter == '\t') && !turns_text(letter);
+    let line = |line: &str| -> String {
+        let kept: String = line.chars().filter(keep).collect();
+        kept.trim_end().into()
+    };
+    let lines: Vec<String> = doc.lines().map(line).collect();
+    lines.join("\n").trim_matches('\n').into()
 }
 
 fn check_fields(
     fields: &'static [Field],
     arguments: &Arguments,
     path: &str,
-    at: &mut impl FnMut(&str, String, &str),
+    errors: &mut Vec<CaseError>,
 ) {
-    for (name, value) in &arguments.0 {
-        let path = if path.is_empty() { (*name).to_string() } else { format!("{path}.{name}") };
-        match fields.iter().find(|field| field.name == *name) {
-            Some(field) => check_value(&field.kind, value, &path, at),
-            None => at(&path, format!("there is no field `{name}`"), "leave it out"),
+    for (index, (name, value)) in arguments.0.iter().enumerate() {
+        let path = join(path, name);
+        if arguments.0[..index].iter().any(|(earlier, _)| earlier == name) {
+            errors.push(error(&path, format!("field `{name}` stands twice"), "keep one of them"));
+        }
+        match Field::find(fields, name) {
+            Some(field) => check_value(&field.kind, value, &path, errors),
+            None => errors.push(error(&path, format!("there is no field `{name}`"), "leave it out")),
         }
     }
 }
 
-fn check_value(kind: &Kind, value: &Value, path: &str, at: &mut impl FnMut(&str, String, &str)) {
-    let out_of = |value: &dyn std::fmt::Display| format!("{value} is out of range");
+fn check_value(kind: &Kind, value: &Value, path: &str, errors: &mut Vec<CaseError>) {
+    if let Err(fault) = kind.check(value) {
+        errors.push(error(path, fault.message, fault.remedy));
+    }
     match (kind, value) {
-        (Kind::Count { min, max } | Kind::AutoOrCount { min, max }, Value::Count(count)) => {
-            if count < min || count > max {
-                at(path, out_of(count), &format!("use {min} to {max}"));
-            }
-        }
-        (Kind::AutoOrCount { .. }, Value::Word(_)) => {}
-        (Kind::Number { min, max, open, .. }, Value::Number(number)) => {
-            let inside = if *open { number > min && number < max } else { number >= min && number <= max };
-            if !inside {
-                let word = if *open { "between" } else { "from" };
-                at(path, out_of(number), &format!("use a number {word} {min} and {max}"));
-            }
-        }
-        (Kind::Size { min, max }, Value::Size(width, height)) => {
-            if width.min(height) < min || width.max(height) > max {
-                at(path, format!("{width} x {height} is out of range"), &format!("use sides of {min} to {max} texels"));
-            }
-        }
-        (Kind::SizeList { min, max }, Value::Sizes(sizes)) => {
-            for (width, height) in sizes {
-                check_value(&Kind::Size { min: *min, max: *max }, &Value::Size(*width, *height), path, at);
-            }
-        }
-        (Kind::Choice(choices), Value::Word(word)) => check_word(choices, word, path, at),
+        (Kind::Choice(choices), Value::Word(word)) => check_word(kind, choices, word, path, errors),
         (Kind::ChoiceList(choices), Value::Words(words)) => {
-            if words.is_empty() {
-                at(path, "the list is empty".into(), "name at least one entry or leave the field out");
-            }
-            for (index, word) in words.iter().enumerate() {
-                check_word(choices, word, path, at);
-                if words[..index].iter().any(|earlier| earlier.name == word.name) {
-                    at(path, format!("`{}` stands twice", word.name), "name it once");
-                }
+            for word in words {
+                check_word(kind, choices, word, &join(path, word.name), errors);
             }
         }
-        (Kind::Group(fields), Value::Group(arguments)) => check_fields(fields, arguments, path, at),
-        (Kind::Prefix, Value::Name(_)) => {}
-        _ => at(path, "the value has the wrong kind".into(), "see the field reference"),
+        (Kind::Group(fields), Value::Group(arguments)) => check_fields(fields, arguments, path, errors),
+        _ => {}
     }
 }
 
-fn check_word(choices: &'static [Choice], word: &Word, path: &str, at: &mut impl FnMut(&str, String, &str)) {
-    match choices.iter().find(|choice| choice.name == word.name) {
-        Some(choice) => check_fields(choice.arguments, &word.arguments, path, at),
+fn check_word(
+    kind: &Kind,
+    choices: &'static [Choice],
+    word: &Word,
+    path: &str,
+    errors: &mut Vec<CaseError>,
+) {
+    match Choice::find(choices, word.name) {
+        Some(choice) => check_fields(choice.arguments, &word.arguments, path, errors),
         None => {
-            let names: Vec<_> = choices.iter().map(|choice| format!("`{}`", choice.name)).collect();
-            at(path, format!("there is no `{}` here", word.name), &format!("use {}", names.join(", ")));
+            errors.push(error(path, format!("there is no `{}` here", word.name), format!("use {kind}")));
         }
     }
 }
 
-fn is_camel_case(name: &str) -> bool {
-    name.starts_with(|first: char| first.is_ascii_uppercase())
-        && name.chars().all(|letter| letter.is_ascii_alphanumeric())
+fn error(field: &str, message: String, remedy: impl Into<String>) -> CaseError {
+    CaseError { field: field.into(), message, remedy: remedy.into() }
 }
 
-fn is_prefix(prefix: &str) -> bool {
-    prefix.starts_with(|first: char| first.is_ascii_lowercase())
-        && prefix.ends_with(|last: char| last.is_ascii_lowercase())
-        && !prefix.contains("__")
-        && prefix.chars().all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_')
+fn join(path: &str, name: &str) -> String {
+    if path.is_empty() { name.into() } else { format!("{path}.{name}") }
 }
 
-/// Snake case of an upper camel case name; a trailing digit is followed by `_case`.
-fn default_prefix(name: &str) -> String {
-    let mut prefix = String::new();
-    for (index, letter) in name.chars().enumerate() {
-        if letter.is_ascii_uppercase() && index > 0 {
-            prefix.push('_');
-        }
-        prefix.push(letter.to_ascii_lowercase());
-    }
-    if prefix.ends_with(|last: char| last.is_ascii_digit()) {
-        prefix.push_str("_case");
-    }
-    prefix
+fn top_level(path: &str) -> &str {
+    path.split('.').next().unwrap_or(path)
 }

@@ -62,6 +62,15 @@ pub const FIELDS: &[Field] = &[
         default: Default::Absent("receivers reach to the view's far plane"),
     },
     Field {
+        name: "bounds",
+        summary: "bounds of the receivers that every plan is given",
+        kind: Kind::Choice(&[
+            Choice::plain("none", "plans may be made without bounds"),
+            Choice::plain("scene", "every plan is given finite scene bounds"),
+        ]),
+        default: Default::Value("none"),
+    },
+    Field {
         name: "technique",
         summary: "how facets are chosen",
         kind: Kind::Choice(technique::CHOICES),

@@ -3,9 +3,10 @@
 use std::borrow::Cow;
 
 use super::{
-    BindGroup, Binding, BindingKind, CaseTable, FieldType, GroupContent, Meaning, Pass, Record, RecordField,
-    RecordKind, Resource, ShaderKind,
+    BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantKind, ConstantValue, FieldType, GroupContent,
+    Meaning, Pass, Record, RecordField, RecordKind, Resource, ShaderKind,
 };
+use crate::facet::FacetShape;
 use crate::case::{Bias, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
 
 impl CaseTable {
@@ -47,6 +48,7 @@ impl CaseTable {
             sectors: shape.sectors,
             bands: shape.bands,
             fetches_per_pixel: 1,
+            constants: constants(&names, case).into(),
             records: records.into(),
             groups: groups.into(),
             passes: passes.into(),
@@ -65,6 +67,10 @@ impl Names<'_> {
         format!("{}_{name}", self.prefix).into()
     }
 
+    fn constant(&self, name: &str) -> Cow<'static, str> {
+        format!("{}_{name}", self.prefix.to_ascii_uppercase()).into()
+    }
+
     fn ty(&self, name: &str) -> Cow<'static, str> {
         let mut camel = String::new();
         for part in self.prefix.split('_') {
@@ -74,6 +80,42 @@ impl Names<'_> {
         }
         format!("{camel}{name}").into()
     }
+}
+
+fn constants(names: &Names, case: &LightCase) -> Vec<Constant> {
+    let shape = case.shape();
+    let mut constants = Vec::new();
+    let mut push = |kind: ConstantKind, value: ConstantValue| {
+        constants.push(Constant { kind, name: names.constant(kind.name()), value });
+    };
+    if case.filter != Filter::None {
+        let size = [case.map.width as f32, case.map.height as f32];
+        push(ConstantKind::MapSize, ConstantValue::Vec2(size));
+    }
+    if shape.sectors > 1 {
+        push(ConstantKind::Sectors, ConstantValue::U32(shape.sectors));
+    }
+    if shape.bands > 1 {
+        push(ConstantKind::Bands, ConstantValue::U32(shape.bands));
+        push(ConstantKind::ThresholdVectors, ConstantValue::U32(threshold_vectors(shape)));
+    }
+    match case.bias {
+        Bias::None | Bias::ReceiverPlane => {}
+        Bias::Constant { along_light_metres } => {
+            push(ConstantKind::BiasMetres, ConstantValue::F32(along_light_metres as f32));
+        }
+        Bias::Slope { texels } => push(ConstantKind::BiasTexels, ConstantValue::F32(texels as f32)),
+        Bias::WorldTexel { a_metres, b_texels } => {
+            push(ConstantKind::BiasAMetres, ConstantValue::F32(a_metres as f32));
+            push(ConstantKind::BiasBTexels, ConstantValue::F32(b_texels as f32));
+        }
+    }
+    constants
+}
+
+/// Vectors of four thresholds in each sector.
+fn threshold_vectors(shape: FacetShape) -> u32 {
+    shape.bands.saturating_sub(1).div_ceil(4)
 }
 
 /// Lays fields out by the uniform address space's rules.
@@ -140,7 +182,7 @@ fn facet_record(names: &Names, case: &LightCase) -> Record {
             layout.push("receiver_plane_depth", Meaning::ReceiverPlaneDepth, FieldType::F32);
         }
     }
-    layout.record(RecordKind::Facet, names.ty("Facet"))
+    layout.record(RecordKind::Facet, names.ty(RecordKind::Facet.name()))
 }
 
 fn shadow_record(names: &Names, case: &LightCase, facet_bytes: u32) -> Record {
@@ -151,20 +193,20 @@ fn shadow_record(names: &Names, case: &LightCase, facet_bytes: u32) -> Record {
     }
     if shape.bands > 1 {
         layout.push_array("distances", Meaning::Distances, FieldType::Vec4, shape.sectors, 16);
-        let vectors = shape.sectors * (shape.bands - 1).div_ceil(4);
+        let vectors = shape.sectors * threshold_vectors(shape);
         layout.push_array("thresholds", Meaning::Thresholds, FieldType::Vec4, vectors, 16);
     }
     if matches!(case.bias, Bias::Slope { .. }) {
         layout.push("toward_light", Meaning::TowardLight, FieldType::Vec4);
     }
     layout.push_array("facets", Meaning::Facets, FieldType::Facet, shape.facets(), facet_bytes);
-    layout.record(RecordKind::Shadow, names.ty("Shadow"))
+    layout.record(RecordKind::Shadow, names.ty(RecordKind::Shadow.name()))
 }
 
 fn rows_record(names: &Names) -> Record {
     let mut layout = Layout::new();
     push_rows(&mut layout);
-    layout.record(RecordKind::Capture, names.ty("Capture"))
+    layout.record(RecordKind::Capture, names.ty(RecordKind::Capture.name()))
 }
 
 fn mask_record(names: &Names, depth: MaskDepth) -> Record {
@@ -175,7 +217,7 @@ fn mask_record(names: &Names, depth: MaskDepth) -> Record {
     if depth == MaskDepth::ReversedZ {
         layout.push("inverse_depth", Meaning::InverseDepth, FieldType::Vec2);
     }
-    layout.record(RecordKind::Mask, names.ty("Mask"))
+    layout.record(RecordKind::Mask, names.ty(RecordKind::Mask.name()))
 }
 
 fn capture_group(names: &Names, shader: ShaderKind) -> BindGroup {

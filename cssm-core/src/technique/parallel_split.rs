@@ -1,8 +1,12 @@
 //! Parallel-split shadow maps: depth slabs along the view, one uniform facet each.
 
-use super::TechniqueSpec;
+use glam::DVec4;
+
+use super::standard::light_plane_axes;
+use super::{Draft, FacetDraft, Situation, TechniqueSpec, TileRequest};
 use crate::case::{CaseError, LightCase};
-use crate::facet::FacetShape;
+use crate::facet::{FacetShape, Selection};
+use crate::plan::PlanError;
 use crate::schema::{Choice, Default, Field, Kind, Unit};
 
 const SCHEMES: &[Choice] = &[
@@ -48,9 +52,76 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
     },
     configurations: &[Choice::plain("slabs", "one facet per depth slab")],
     distribution: None,
+    fits_infinity: false,
     shape: |case| FacetShape { sectors: 1, bands: case.technique.arguments.count("splits").unwrap_or(4) },
     check,
+    draft,
 };
+
+const DEPTH: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
+
+fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
+    if situation.receivers.is_unbounded() {
+        return Err(PlanError::Unbounded { technique: SPEC.choice.name });
+    }
+    let arguments = &situation.case.technique.arguments;
+    let splits = arguments.count("splits").unwrap_or(4);
+    let (near, far) = situation.receivers.range(DEPTH);
+    let limits = split_limits(situation.case, near, far, splits);
+    let (x, y) = light_plane_axes(situation.light);
+
+    // A slab selects receivers; it does not contain the light and must never clip casters.
+    let facets = (0..splits).map(|index| {
+        let slab = index as usize;
+        let mut select = Vec::new();
+        if index > 0 {
+            select.push(DEPTH - DVec4::W * limits[slab - 1]);
+        }
+        if index + 1 < splits {
+            select.push(DVec4::W * limits[slab] - DEPTH);
+        }
+        FacetDraft {
+            index,
+            x,
+            y,
+            w: DVec4::W,
+            receivers: situation.receivers.cut_by(&select),
+            select,
+            clip: Vec::new(),
+            tile: match arguments.sizes("sizes") {
+                Some(sizes) => TileRequest::Fixed(sizes[slab].0, sizes[slab].1),
+                None => TileRequest::Share(1.0 / f64::from(splits)),
+            },
+        }
+    });
+    Ok(Draft {
+        configuration: SPEC.configurations[0].name,
+        facets: facets.collect(),
+        selection: Selection {
+            borders: Vec::new(),
+            distances: vec![DEPTH],
+            thresholds: vec![limits],
+            bands: splits,
+        },
+    })
+}
+
+/// Depths of the inner limits, ascending (parallel-split slides, "split schemes").
+fn split_limits(case: &LightCase, near: f64, far: f64, splits: u32) -> Vec<f64> {
+    let scheme = case.technique.arguments.word("scheme");
+    let lambda = match scheme.map(|word| word.name) {
+        Some("uniform") => 0.0,
+        Some("logarithmic") => 1.0,
+        _ => scheme.and_then(|word| word.arguments.number("lambda")).unwrap_or(0.5),
+    };
+    let limit = |index: u32| {
+        let share = f64::from(index) / f64::from(splits);
+        let logarithmic = near * libm::pow(far / near, share);
+        let uniform = near + (far - near) * share;
+        lambda * logarithmic + (1.0 - lambda) * uniform
+    };
+    (1..splits).map(limit).collect()
+}
 
 fn check(case: &LightCase) -> Vec<CaseError> {
     let splits = case.technique.arguments.count("splits").unwrap_or(4);

@@ -1,7 +1,10 @@
 //! Standard shadow map: one uniform facet, fitted to the receivers along fixed axes of the light plane.
 
-use super::TechniqueSpec;
-use crate::facet::FacetShape;
+use glam::{DVec3, DVec4};
+
+use super::{Draft, FacetDraft, Situation, TechniqueSpec, TileRequest};
+use crate::facet::{FacetShape, Selection};
+use crate::plan::PlanError;
 use crate::schema::Choice;
 
 /// Entry of the name table.
@@ -9,6 +12,39 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
     choice: Choice::plain("standard", "one uniform map fitted to the receivers, up = the camera's y"),
     configurations: &[Choice::plain("single", "one facet over the whole map")],
     distribution: None,
+    fits_infinity: false,
     shape: |_| FacetShape { sectors: 1, bands: 1 },
     check: |_| Vec::new(),
+    draft,
 };
+
+fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
+    if situation.receivers.is_unbounded() {
+        return Err(PlanError::Unbounded { technique: SPEC.choice.name });
+    }
+    let (x, y) = light_plane_axes(situation.light);
+    Ok(Draft {
+        configuration: SPEC.configurations[0].name,
+        selection: Selection::single(),
+        facets: vec![FacetDraft {
+            index: 0,
+            x,
+            y,
+            w: DVec4::W,
+            select: Vec::new(),
+            clip: Vec::new(),
+            receivers: situation.receivers.clone(),
+            tile: TileRequest::Share(1.0),
+        }],
+    })
+}
+
+/// Rows of two orthonormal axes of the light plane (camera space): the second is the camera's y seen along the light,
+/// or the view direction where the light comes along y.
+pub(super) fn light_plane_axes(light: DVec4) -> (DVec4, DVec4) {
+    let toward = light.truncate();
+    let up = [DVec3::Y, DVec3::NEG_Z].into_iter().find(|axis| axis.cross(toward).length_squared() > 1e-12);
+    let x = up.unwrap_or(DVec3::X).cross(toward).normalize();
+    let y = toward.cross(x);
+    (x.extend(0.0), y.extend(0.0))
+}

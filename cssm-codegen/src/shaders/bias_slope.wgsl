@@ -1,0 +1,15 @@
+// Slot: how the reference is kept off the receiver's own texels. Here: by the depth that the surface changes across
+// `BIAS_TEXELS` of its texels.
+
+/// Smallest cosine between normal and light that still widens the bias.
+const SMALLEST_COSINE: f32 = 0.01;
+
+/// The receiver, moved towards the light in proportion to the tangent of the angle between normal and light.
+///
+/// A texel is `texel_metres_per_w * w` wide and a metre is `depth_per_metre / w` deep, so w leaves the product.
+fn biased_receiver(facet: Facet, place: Place, normal: vec3<f32>) -> Receiver {
+    let cosine = clamp(dot(normal, shadow.toward_light.xyz), SMALLEST_COSINE, 1.0);
+    let tangent = sqrt(1.0 - cosine * cosine) / cosine;
+    let lowered = place.ndc.z - BIAS_TEXELS * facet.texel_metres_per_w * facet.depth_per_metre * tangent;
+    return Receiver(place.texel, clamp(lowered, 0.0, 1.0));
+}

@@ -1,0 +1,6 @@
+// Slot: how texels become visibility. Here: the comparison sampler blends four texels, one reference.
+
+/// Share of light that reaches the receiver.
+fn filtered_visibility(receiver: Receiver) -> f32 {
+    return textureSampleCompareLevel(map, map_sampler, receiver.texel / MAP_SIZE, receiver.reference);
+}

@@ -1,0 +1,91 @@
+//! Tiles: how facets share the map.
+//!
+//! Tiles stand in strips that run the whole height (or width) of the map; tiles of one strip share their width, so the
+//! map is covered without rest and only gutters are lost. Which tiles share a strip is found by dynamic programming
+//! over tiles ordered by the width they would like; areas are then balanced until all footprints agree.
+
+mod balance;
+mod fixed;
+mod strips;
+
+use crate::facet::Tile;
+use crate::plan::PlanError;
+use crate::technique::TileRequest;
+
+/// Smallest side of a tile's inner part, in texels.
+const SMALLEST_INNER_SIDE: u32 = 4;
+
+/// What the layout knows of one facet.
+#[derive(Debug, Clone)]
+pub struct TileDemand {
+    /// What the technique asked for.
+    pub request: TileRequest,
+    /// Gram matrices of the pixel vectors that span the whole tile, at sample receivers.
+    pub samples: Vec<Gram>,
+}
+
+/// Products of the two screen vectors (pixels) that span a facet's clip space across and up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gram {
+    /// across . across
+    pub xx: f64,
+    /// up . up
+    pub yy: f64,
+    /// across . up
+    pub xy: f64,
+}
+
+impl Gram {
+    /// Major axis in pixels of one texel of a tile of this inner size.
+    pub fn major_pixels(&self, width: f64, height: f64) -> f64 {
+        let (xx, yy, xy) = (self.xx / (width * width), self.yy / (height * height), self.xy / (width * height));
+        (0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()).sqrt()
+    }
+}
+
+/// Size, gutters and folding of the map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MapArea {
+    /// Width in texels.
+    pub width: u32,
+    /// Height in texels.
+    pub height: u32,
+    /// Gutter of every tile.
+    pub gutter: u32,
+    /// Number of strips, if declared.
+    pub strips: Option<u32>,
+}
+
+impl MapArea {
+    /// Smallest tile side.
+    fn smallest_side(&self) -> u32 {
+        2 * self.gutter + SMALLEST_INNER_SIDE
+    }
+
+    fn too_small(&self, tiles: usize) -> PlanError {
+        PlanError::MapTooSmall {
+            width: self.width,
+            height: self.height,
+            tiles: tiles as u32,
+            gutter: self.gutter,
+        }
+    }
+}
+
+/// Places one tile per demand; tiles never overlap and lie inside the map.
+///
+/// # Errors
+/// [`PlanError::MapTooSmall`] when they do not fit.
+pub fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Tile>, PlanError> {
+    let fixed: Option<Vec<(u32, u32)>> = demands
+        .iter()
+        .map(|demand| match demand.request {
+            TileRequest::Fixed(width, height) => Some((width, height)),
+            _ => None,
+        })
+        .collect();
+    match fixed {
+        Some(sizes) => fixed::place(&sizes, area),
+        None => balance::place(demands, area),
+    }
+}

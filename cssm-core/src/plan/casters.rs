@@ -1,0 +1,39 @@
+//! Which casters can matter to a facet: the volume its receivers sweep towards the light.
+
+use glam::DVec4;
+
+use crate::facet::{FacetRows, Tile};
+use crate::polygon;
+use crate::receivers::Polytope;
+
+/// Sine of the angle between a plane and the light below which the plane counts as containing it.
+const CONTAINS_LIGHT: f64 = 1e-9;
+/// Filter taps beyond the receivers' silhouette, in texels, when the tile has no gutter.
+const FEWEST_TEXELS: f64 = 1.0;
+
+/// Half-spaces around everything whose shadow can reach the receivers or the filter taps around them. All rows are in
+/// the space of `light`.
+pub(super) fn planes(rows: &FacetRows, tile: &Tile, receivers: &Polytope, light: DVec4) -> Vec<DVec4> {
+    // Below: moving away from the light never enters a half-space that faces it.
+    let below = receivers.planes.iter().map(|plane| *plane / plane.truncate().length());
+    let mut planes: Vec<DVec4> = below.filter(|plane| plane.dot(light) > CONTAINS_LIGHT).collect();
+
+    // Around: the silhouette of the receivers in the light's view, moved out by the gutter.
+    let margin = f64::from(tile.gutter).max(FEWEST_TEXELS);
+    let (texel_x, texel_y) = (2.0 * margin / f64::from(tile.width), 2.0 * margin / f64::from(tile.height));
+    let outline = polygon::outline_of(rows, receivers);
+    if outline.len() >= 3 {
+        let next = outline.iter().cycle().skip(1);
+        planes.extend(outline.iter().zip(next).map(|(one, two)| {
+            let inward = (*two - *one).perp();
+            let slack = inward.x.abs() * texel_x + inward.y.abs() * texel_y;
+            rows.x * inward.x + rows.y * inward.y + rows.w * (slack - inward.dot(*one))
+        }));
+    } else {
+        planes.extend([rows.w + rows.x, rows.w - rows.x, rows.w + rows.y, rows.w - rows.y]);
+    }
+
+    // In front of the facet's w = 0 plane nothing lands in the tile.
+    planes.push(rows.w);
+    planes
+}

@@ -1,0 +1,93 @@
+//! The rest of a facet once its tile is known: gutters, depth row, bias figures, caster planes.
+
+use glam::DVec3;
+
+use super::casters;
+use super::window::Window;
+use crate::case::{Bias, LightCase};
+use crate::depth::depth_row;
+use crate::facet::{Facet, FacetRows, Tile};
+use crate::homography::{Gradients, singular_values};
+use crate::plan::PlanError;
+use crate::technique::Situation;
+
+/// Depth rounding of f32 rows, interpolation and storage of a float map, in units of depth.
+const FLOAT_ROUNDING: f64 = 3e-7;
+/// Part of the smaller texel axis by which an exact receiver plane is lowered.
+const RECEIVER_PLANE_TEXELS: f64 = 0.5;
+/// Larger texel axes kept free before and behind the receivers, so that reference planes extended to neighbouring
+/// texels do not clamp.
+const PLANE_EXTENSION_TEXELS: f64 = 2.0;
+/// Tangent of the steepest surface that keeps room for a slope bias.
+const STEEPEST_SLOPE: f64 = 20.0;
+
+/// Finishes a facet, in camera space.
+pub(super) fn finish(window: Window<'_>, tile: Tile, situation: &Situation<'_>) -> Result<Facet, PlanError> {
+    // Keep gutters free: receivers fill the inner part of the tile.
+    let inner = |side: u32| f64::from(side - 2 * tile.gutter) / f64::from(side);
+    let mut rows =
+        FacetRows { x: window.rows.x * inner(tile.width), y: window.rows.y * inner(tile.height), ..window.rows };
+
+    // Measure texels across the light, per w.
+    let texels = TexelsPerW::measure(&rows, &tile, &window.samples);
+    let margin = PLANE_EXTENSION_TEXELS * texels.major + bias_metres_per_w(situation.case, &texels, &window);
+    let receivers = &window.draft.receivers;
+    let depth = depth_row(rows.w, situation.light, receivers, margin).ok_or(PlanError::Degenerate {
+        facet: window.draft.index,
+        why: "its receivers have no extent along the light",
+    })?;
+    rows.z = depth.row;
+    let rounding = FLOAT_ROUNDING + 1.5 * situation.case.map.format.rounding();
+
+    Ok(Facet {
+        index: window.draft.index,
+        rows,
+        select: window.draft.select.clone(),
+        clip: window.draft.clip.clone(),
+        casters: casters::planes(&rows, &tile, receivers, situation.light),
+        receivers: receivers.vertices.clone(),
+        tile,
+        depth_per_metre: depth.depth_per_metre,
+        texel_metres_per_w: texels.major,
+        receiver_plane_depth: RECEIVER_PLANE_TEXELS * texels.minor * depth.depth_per_metre + rounding,
+    })
+}
+
+/// Mean texel axes across the light in metres, divided by w.
+struct TexelsPerW {
+    major: f64,
+    minor: f64,
+}
+
+impl TexelsPerW {
+    fn measure(rows: &FacetRows, tile: &Tile, samples: &[DVec3]) -> Self {
+        let mut sum = Self { major: 0.0, minor: 0.0 };
+        let mut count = 0.0;
+        for point in samples {
+            let gradients = Gradients::at(rows, *point);
+            let (across, up) = gradients.across_light();
+            let (across, up) = (across * (2.0 / f64::from(tile.width)), up * (2.0 / f64::from(tile.height)));
+            let (major, minor) = singular_values(across, up);
+            if major.is_finite() && gradients.w > 0.0 {
+                sum.major += major / gradients.w;
+                sum.minor += minor / gradients.w;
+                count += 1.0;
+            }
+        }
+        Self { major: sum.major / f64::max(count, 1.0), minor: sum.minor / f64::max(count, 1.0) }
+    }
+}
+
+/// Largest bias of the case in metres along the light, per w.
+fn bias_metres_per_w(case: &LightCase, texels: &TexelsPerW, window: &Window<'_>) -> f64 {
+    let constant = |metres: f64| {
+        let smallest_w = window.samples.iter().map(|point| window.rows.w.dot(point.extend(1.0)));
+        metres / smallest_w.fold(f64::INFINITY, f64::min)
+    };
+    match case.bias {
+        Bias::None | Bias::ReceiverPlane => texels.minor,
+        Bias::Constant { along_light_metres } => constant(along_light_metres),
+        Bias::Slope { texels: scale } => scale * texels.major * STEEPEST_SLOPE,
+        Bias::WorldTexel { a_metres, b_texels } => constant(a_metres) + b_texels * texels.major,
+    }
+}

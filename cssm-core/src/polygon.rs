@@ -1,0 +1,71 @@
+//! Convex outlines in a facet's clip space.
+
+use glam::{DVec2, DVec4};
+
+use crate::facet::FacetRows;
+use crate::receivers::Polytope;
+
+/// Convex outline (counter-clockwise, NDC) of a receiver vertex list in a facet's clip space.
+pub fn outline(rows: &FacetRows, receivers: &[DVec4]) -> Vec<DVec2> {
+    let points = receivers.iter().filter_map(|vertex| {
+        let w = rows.w.dot(*vertex);
+        let usable = w > NEGLIGIBLE * rows.w.abs().dot(vertex.abs());
+        usable.then(|| DVec2::new(rows.x.dot(*vertex), rows.y.dot(*vertex)) / w)
+    });
+    hull(points.collect())
+}
+
+/// Convex outline of a polytope's vertices.
+pub(crate) fn outline_of(rows: &FacetRows, receivers: &Polytope) -> Vec<DVec2> {
+    outline(rows, &receivers.vertices)
+}
+
+/// Area enclosed by a counter-clockwise outline.
+pub fn area(outline: &[DVec2]) -> f64 {
+    let edges = outline.iter().zip(outline.iter().cycle().skip(1));
+    0.5 * edges.map(|(one, two)| one.perp_dot(*two)).sum::<f64>()
+}
+
+/// w, relative to its terms, below which a vertex is a direction along the light.
+const NEGLIGIBLE: f64 = 1e-13;
+
+/// Convex hull by monotone chains, counter-clockwise.
+fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
+    points.retain(|point| point.is_finite());
+    points.sort_by(|one, two| one.x.total_cmp(&two.x).then(one.y.total_cmp(&two.y)));
+    points.dedup();
+    if points.len() < 3 {
+        return points;
+    }
+    let chain = |points: &mut dyn Iterator<Item = DVec2>| {
+        let mut chain: Vec<DVec2> = Vec::new();
+        for point in points {
+            while let [.., one, two] = chain[..] {
+                if (two - one).perp_dot(point - two) > 0.0 {
+                    break;
+                }
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut lower = chain(&mut points.iter().copied());
+    lower.extend(chain(&mut points.iter().rev().copied()));
+    lower
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hull_of_a_square_with_inner_points_has_its_area() {
+        let mut points = vec![DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE];
+        points.extend([DVec2::splat(0.5), DVec2::new(0.2, 0.9), DVec2::new(0.5, 0.0)]);
+        let outline = hull(points);
+        assert_eq!(outline.len(), 4);
+        assert_eq!(area(&outline), 1.0);
+    }
+}

@@ -1,0 +1,211 @@
+//! The receiver polytope: everything visible that may be in shadow, as homogeneous vertices and half-spaces.
+//!
+//! Vertices are homogeneous with w >= 0; w = 0 lies at infinity, so an infinite far plane needs no special case.
+//! Every vertex remembers the planes it lies on; two vertices that share two planes are joined by an edge, and
+//! cutting needs nothing else. Degenerate meetings of planes can only add points inside faces, never outside.
+
+use glam::{DMat3, DVec3, DVec4};
+
+use crate::plan::BoundingBox;
+use crate::view::View;
+
+/// A convex polytope.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Polytope {
+    /// Vertices, homogeneous, w >= 0.
+    pub vertices: Vec<DVec4>,
+    /// Half-spaces h.X >= 0 whose meet is the polytope.
+    pub planes: Vec<DVec4>,
+    /// Bit i: the vertex lies on plane i; bit 63: the vertex lies at infinity.
+    incidence: Vec<u64>,
+}
+
+/// Distance from a plane, relative to plane and point, below which a vertex counts as lying on it.
+const ON_PLANE: f64 = 1e-13;
+const AT_INFINITY: u64 = 1 << 63;
+/// Plane bits end below the bit of infinity.
+const PLANE_LIMIT: usize = 63;
+
+impl Polytope {
+    /// The view frustum in camera space from the near plane to `far_metres` (may be infinite).
+    pub fn frustum(view: &View, far_metres: f64) -> Self {
+        let near = view.near_metres;
+        let mut planes = vec![
+            DVec4::new(0.0, 1.0, view.bottom, 0.0),
+            DVec4::new(-1.0, 0.0, -view.right, 0.0),
+            DVec4::new(0.0, -1.0, -view.top, 0.0),
+            DVec4::new(1.0, 0.0, view.left, 0.0),
+            DVec4::new(0.0, 0.0, -1.0, -near),
+        ];
+        let far_bit = if far_metres.is_finite() {
+            planes.push(DVec4::new(0.0, 0.0, 1.0, far_metres));
+            1 << 5
+        } else {
+            AT_INFINITY
+        };
+
+        // Corner k lies on the side planes k - 1 and k.
+        let mut vertices = Vec::with_capacity(8);
+        let mut incidence = Vec::with_capacity(8);
+        for (k, (x, y)) in view.corner_tangents().into_iter().enumerate() {
+            let sides = (1 << k) | (1 << ((k + 3) % 4));
+            vertices.push(DVec4::new(x * near, y * near, -near, 1.0));
+            incidence.push(sides | (1 << 4));
+            vertices.push(if far_metres.is_finite() {
+                DVec4::new(x * far_metres, y * far_metres, -far_metres, 1.0)
+            } else {
+                DVec4::new(x, y, -1.0, 0.0)
+            });
+            incidence.push(sides | far_bit);
+        }
+        Self { vertices, planes, incidence }
+    }
+
+    /// The polytope of nothing.
+    pub fn empty() -> Self {
+        Self { vertices: Vec::new(), planes: Vec::new(), incidence: Vec::new() }
+    }
+
+    /// Cuts with a world-space box, given the eye and the rotation to camera axes.
+    pub fn cut_by_box(&mut self, bounds: &BoundingBox, eye_world: DVec3, camera_from_world: &DMat3) {
+        let (min, max) = (bounds.min - eye_world, bounds.max - eye_world);
+        for axis in 0..3 {
+            let direction = camera_from_world.col(axis);
+            self.cut(direction.extend(-min[axis]));
+            self.cut((-direction).extend(max[axis]));
+        }
+    }
+
+    /// Keeps the part with plane.X >= 0.
+    pub fn cut(&mut self, plane: DVec4) {
+        // A plane that only repeats or misses the polytope is still recorded, so that others see it.
+        if self.planes.len() >= PLANE_LIMIT {
+            return;
+        }
+        let bit = 1_u64 << self.planes.len();
+        self.planes.push(plane);
+        let signed: Vec<f64> = self
+            .vertices
+            .iter()
+            .map(|vertex| {
+                let value = plane.dot(*vertex);
+                let scale = plane.abs().dot(vertex.abs());
+                if value.abs() <= ON_PLANE * scale { 0.0 } else { value }
+            })
+            .collect();
+
+        // Keep what lies inside, then add a vertex on every edge that crosses.
+        let mut vertices = Vec::with_capacity(self.vertices.len() + 4);
+        let mut incidence = Vec::with_capacity(self.vertices.len() + 4);
+        for (index, value) in signed.iter().enumerate() {
+            if *value >= 0.0 {
+                vertices.push(self.vertices[index]);
+                incidence.push(self.incidence[index] | if *value == 0.0 { bit } else { 0 });
+            }
+        }
+        for (a, inside) in signed.iter().enumerate() {
+            for (b, outside) in signed.iter().enumerate() {
+                let shared = self.incidence[a] & self.incidence[b];
+                if *inside > 0.0 && *outside < 0.0 && shared.count_ones() >= 2 {
+                    let point = self.vertices[a] * -outside + self.vertices[b] * *inside;
+                    vertices.push(normalised(point));
+                    incidence.push(shared | bit);
+                }
+            }
+        }
+        self.vertices = vertices;
+        self.incidence = incidence;
+    }
+
+    /// The polytope cut by several half-spaces.
+    pub fn cut_by(&self, planes: &[DVec4]) -> Self {
+        let mut cut = self.clone();
+        for plane in planes {
+            cut.cut(*plane);
+        }
+        cut
+    }
+
+    /// Whether nothing is left.
+    pub fn is_empty(&self) -> bool {
+        self.vertices.len() < 4
+    }
+
+    /// Whether it reaches to infinity.
+    pub fn is_unbounded(&self) -> bool {
+        self.vertices.iter().any(|vertex| vertex.w == 0.0)
+    }
+
+    /// Whether a homogeneous point lies inside, borders included.
+    pub fn contains(&self, point: DVec4) -> bool {
+        self.planes.iter().all(|plane| plane.dot(point) >= 0.0)
+    }
+
+    /// Smallest and largest value of row.X / X.w over the vertices; infinite where a vertex at infinity makes it so.
+    pub fn range(&self, row: DVec4) -> (f64, f64) {
+        self.ratio_range(row, DVec4::W)
+    }
+
+    /// Smallest and largest value of row.X / w.X over the vertices. Vertices where both vanish are passed over: they
+    /// are directions along the light, whose image is that of the other end of their edge.
+    pub fn ratio_range(&self, row: DVec4, w: DVec4) -> (f64, f64) {
+        let mut range = (f64::INFINITY, f64::NEG_INFINITY);
+        for vertex in &self.vertices {
+            let (value, scale) = (row.dot(*vertex), w.dot(*vertex));
+            let negligible = |value: f64, row: DVec4| value.abs() <= ON_PLANE * row.abs().dot(vertex.abs());
+            let ratio = match (negligible(value, row), negligible(scale, w)) {
+                (_, false) => value / scale,
+                (true, true) => continue,
+                (false, true) => value * f64::INFINITY,
+            };
+            range = (range.0.min(ratio), range.1.max(ratio));
+        }
+        range
+    }
+}
+
+/// The same homogeneous point with w = 1, or with unit length at infinity.
+fn normalised(point: DVec4) -> DVec4 {
+    if point.w > 0.0 && (point / point.w).is_finite() {
+        point / point.w
+    } else {
+        (point.truncate() / point.truncate().abs().max_element()).normalize().extend(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn view(far: f64) -> View {
+        View::perspective(DVec3::ZERO, -DVec3::Z, DVec3::Y, 1.0, 0.5, far, (16, 9)).unwrap()
+    }
+
+    #[test]
+    fn frustum_vertices_satisfy_every_plane() {
+        for far in [100.0, f64::INFINITY] {
+            let frustum = Polytope::frustum(&view(far), far);
+            for vertex in &frustum.vertices {
+                assert!(frustum.planes.iter().all(|plane| plane.dot(*vertex) >= -1e-12));
+            }
+        }
+    }
+
+    #[test]
+    fn cutting_at_a_depth_leaves_a_box_of_eight_vertices() {
+        let mut frustum = Polytope::frustum(&view(f64::INFINITY), f64::INFINITY);
+        frustum.cut(DVec4::new(0.0, 0.0, 1.0, 10.0));
+        assert_eq!(frustum.vertices.len(), 8);
+        assert!(!frustum.is_unbounded());
+        let (near, far) = frustum.range(DVec4::new(0.0, 0.0, -1.0, 0.0));
+        assert!((near - 0.5).abs() < 1e-12 && (far - 10.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_box_behind_the_eye_leaves_nothing() {
+        let mut frustum = Polytope::frustum(&view(100.0), 100.0);
+        let bounds = BoundingBox { min: DVec3::new(-1.0, -1.0, 1.0), max: DVec3::new(1.0, 1.0, 3.0) };
+        frustum.cut_by_box(&bounds, DVec3::ZERO, &DMat3::IDENTITY);
+        assert!(frustum.is_empty());
+    }
+}

@@ -1,0 +1,131 @@
+//! Scenes: meshes, and the places where they stand.
+//!
+//! Positions of a mesh are f32 in its own space, as an engine uploads them; instances place it in the world in
+//! f64. Procedural scenes are pure functions of a seed. Every mesh is small, so that culling whole instances per
+//! facet works.
+
+mod city;
+mod gltf_file;
+mod gltf_read;
+mod palm;
+mod random;
+mod solid;
+
+pub use gltf_file::SceneFileError;
+
+use std::path::Path;
+
+use cssm_core::BoundingBox;
+use cssm_core::glam::{DAffine3, DVec3};
+
+/// A scene.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// Name for reports and picture labels.
+    pub name: String,
+    /// Shapes, each in its own space.
+    pub meshes: Vec<Mesh>,
+    /// Places where they stand.
+    pub instances: Vec<Instance>,
+    /// Views worth looking at; the first is the one a demo shows.
+    pub views: Vec<Viewpoint>,
+}
+
+/// A triangle mesh.
+#[derive(Debug, Clone)]
+pub struct Mesh {
+    /// Name for messages.
+    pub name: String,
+    /// Vertex positions in object space, metres.
+    pub positions: Vec<[f32; 3]>,
+    /// Three per triangle, counter-clockwise seen from outside.
+    pub indices: Vec<u32>,
+}
+
+/// A mesh placed in the world.
+#[derive(Debug, Clone, Copy)]
+pub struct Instance {
+    /// Index in [`Scene::meshes`].
+    pub mesh: usize,
+    /// Object to world.
+    pub world_from_object: DAffine3,
+    /// Linear colour for pictures.
+    pub colour: [f32; 3],
+}
+
+/// A camera position worth looking from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Viewpoint {
+    /// Eye in world space, metres.
+    pub eye_world: DVec3,
+    /// Point looked at.
+    pub target_world: DVec3,
+    /// Direction in which the light travels.
+    pub light_travels: DVec3,
+}
+
+impl Scene {
+    /// The scene of a name (`palm`, `city`), or of a glTF 2.0 file (`.gltf`, `.glb`).
+    ///
+    /// # Errors
+    /// [`SceneFileError`] when the file cannot be read as a scene.
+    pub fn load(name_or_path: &str) -> Result<Self, SceneFileError> {
+        match name_or_path {
+            "palm" => Ok(palm::scene()),
+            "city" => Ok(city::scene()),
+            path => gltf_file::load(Path::new(path)),
+        }
+    }
+
+    /// A few palms with thin fronds on bare ground: 10,624 triangles.
+    pub fn palm() -> Self {
+        palm::scene()
+    }
+
+    /// A town of a kilometre with window reliefs, trees and thin lamp posts: more than 300,000 triangles.
+    pub fn city() -> Self {
+        city::scene()
+    }
+
+    /// Number of triangles, instances counted.
+    pub fn triangles(&self) -> usize {
+        self.instances.iter().map(|instance| self.meshes[instance.mesh].triangles()).sum()
+    }
+
+    /// World box around everything; `None` for a scene without triangles.
+    pub fn bounds_world(&self) -> Option<BoundingBox> {
+        let local: Vec<_> = self.meshes.iter().map(Mesh::bounds).collect();
+        let mut bounds: Option<BoundingBox> = None;
+        for instance in &self.instances {
+            let Some((min, max)) = local[instance.mesh] else { continue };
+            for corner in 0..8_u32 {
+                let pick = |bit: u32, axis: usize| if corner >> bit & 1 == 0 { min[axis] } else { max[axis] };
+                let point = instance.world_from_object.transform_point3(DVec3::new(pick(0, 0), pick(1, 1), pick(2, 2)));
+                bounds = Some(bounds.map_or(BoundingBox { min: point, max: point }, |b| BoundingBox {
+                    min: b.min.min(point),
+                    max: b.max.max(point),
+                }));
+            }
+        }
+        bounds
+    }
+}
+
+impl Mesh {
+    /// Number of triangles.
+    pub fn triangles(&self) -> usize {
+        self.indices.len() / 3
+    }
+
+    /// Object-space box; `None` for a mesh without vertices.
+    pub fn bounds(&self) -> Option<([f64; 3], [f64; 3])> {
+        let first = self.positions.first()?.map(f64::from);
+        Some(self.positions.iter().fold((first, first), |(mut min, mut max), position| {
+            for axis in 0..3 {
+                min[axis] = min[axis].min(f64::from(position[axis]));
+                max[axis] = max[axis].max(f64::from(position[axis]));
+            }
+            (min, max)
+        }))
+    }
+}

@@ -1,0 +1,112 @@
+use cssm_core::glam::DAffine3;
+
+use super::*;
+use crate::scene::{Instance, Mesh, Scene};
+
+fn scene(meshes: Vec<Mesh>, places: &[(usize, DVec3)]) -> Scene {
+    let instances = places
+        .iter()
+        .map(|(mesh, place)| Instance {
+            mesh: *mesh,
+            world_from_object: DAffine3::from_translation(*place),
+            colour: [0.5; 3],
+        })
+        .collect();
+    Scene { name: "made".to_owned(), meshes, instances, views: Vec::new() }
+}
+
+fn quad(size: f32) -> Mesh {
+    Mesh {
+        name: "quad".to_owned(),
+        positions: vec![[-size, 0.0, -size], [-size, 0.0, size], [size, 0.0, size], [size, 0.0, -size]],
+        indices: vec![0, 1, 2, 0, 2, 3],
+    }
+}
+
+fn view(eye: DVec3, target: DVec3) -> View {
+    View::perspective(eye, target, DVec3::Y, 1.0, 0.1, f64::INFINITY, (64, 48)).unwrap()
+}
+
+fn light(x: f64, y: f64, z: f64) -> Light {
+    Light::directional_travelling(DVec3::new(x, y, z)).unwrap()
+}
+
+/// A sheet one metre over the ground, seen from above and aside.
+fn sheet_over_ground(offset: DVec3) -> (Tracer, View) {
+    let scene = scene(vec![quad(50.0), quad(1.0)], &[(0, offset), (1, offset + DVec3::Y)]);
+    (Tracer::new(&scene), view(offset + DVec3::new(0.0, 6.0, 6.0), offset))
+}
+
+#[test]
+fn shadow_lies_where_geometry_says() {
+    // Far from the origin too: coordinates of ten thousand kilometres still leave a shadow in its place.
+    for offset in [DVec3::ZERO, DVec3::new(1e7, 0.0, -1e7)] {
+        let (tracer, view) = sheet_over_ground(offset);
+        let frame = Frame::trace(&tracer, &view, &light(1.0, -1.0, 0.0), &|_| {});
+        let mut counts = [0, 0];
+        for (_, pixel) in frame.visible() {
+            let point = view.eye_world + pixel.position - offset;
+            if point.y > 0.5 {
+                assert!(pixel.lit, "the sheet's upper side is lit");
+                continue;
+            }
+            // The sheet [-1, 1] at height 1 throws its shadow one metre along x.
+            let inside = (point.x - 1.0).abs().max(point.z.abs());
+            if (inside - 1.0).abs() > 1e-6 {
+                assert_eq!(pixel.lit, inside > 1.0, "at {point}");
+                counts[usize::from(pixel.lit)] += 1;
+            }
+        }
+        assert!(counts.iter().all(|count| *count > 50), "{counts:?}");
+    }
+}
+
+#[test]
+fn both_sides_of_a_sheet_cast_and_are_seen() {
+    let mut flipped = quad(1.0);
+    flipped.indices = vec![0, 2, 1, 0, 3, 2];
+    let scene = scene(vec![quad(50.0), flipped], &[(0, DVec3::ZERO), (1, DVec3::Y)]);
+    let tracer = Tracer::new(&scene);
+    let frame = Frame::trace(&tracer, &view(DVec3::new(0.0, 6.0, 6.0), DVec3::ZERO), &light(0.0, -1.0, 0.0), &|_| {});
+    assert!(frame.visible().any(|(_, pixel)| pixel.instance == 1 && pixel.lit));
+    assert!(frame.visible().any(|(_, pixel)| pixel.instance == 0 && !pixel.lit));
+    assert!(frame.visible().all(|(_, pixel)| pixel.normal.dot(pixel.position) < 0.0));
+}
+
+#[test]
+fn hierarchy_agrees_with_trying_every_triangle() {
+    let scene = Scene::palm();
+    let tracer = Tracer::new(&scene);
+    let spot = scene.views[0];
+    let view =
+        View::perspective(spot.eye_world, spot.target_world, DVec3::Y, 1.0, 0.1, f64::INFINITY, (24, 16)).unwrap();
+    let mut stack = Vec::new();
+    for (index, direction) in [DVec3::new(0.4, 0.8, 0.3), DVec3::Y, DVec3::X].into_iter().enumerate() {
+        for pixel in 0..24 * 16 {
+            let ray = view.ray_world(f64::from(pixel % 24) + 0.5, f64::from(pixel / 24) + 0.5);
+            let found = tracer.nearest(view.eye_world, ray, 0.1, f64::INFINITY, &mut stack);
+            let tried = tracer.nearest_tried(view.eye_world, ray, 0.1);
+            assert_eq!(found.map(|hit| hit.distance), tried.map(|hit| hit.distance));
+            let Some(hit) = found else { continue };
+            let point = view.eye_world + ray * hit.distance;
+            let blocked = tracer.blocked(point, direction.normalize(), 1e-9, hit.triangle, &mut stack);
+            let tried = tracer.blocked_tried(point, direction.normalize(), 1e-9, hit.triangle);
+            assert_eq!(blocked, tried, "light {index}, pixel {pixel}");
+        }
+    }
+}
+
+#[test]
+fn axis_aligned_rays_meet_flat_boxes() {
+    // The light runs exactly along an axis, in the planes of box sides, through flat boxes.
+    let (tracer, view) = sheet_over_ground(DVec3::ZERO);
+    let frame = Frame::trace(&tracer, &view, &light(0.0, -1.0, 0.0), &|_| {});
+    assert!(frame.visible().filter(|(_, pixel)| !pixel.lit).count() > 10);
+}
+
+#[test]
+fn empty_scenes_are_sky() {
+    let tracer = Tracer::new(&scene(Vec::new(), &[]));
+    let frame = Frame::trace(&tracer, &view(DVec3::Y, DVec3::ZERO), &light(0.0, -1.0, 0.0), &|_| {});
+    assert_eq!(frame.visible().count(), 0);
+}

@@ -1,0 +1,72 @@
+//! The map: one depth texture for all facets, and the samplers that read it.
+
+use cssm_core::case::DepthFormat;
+use cssm_core::table::{BindingKind, CaseTable};
+
+/// The depth texture that facets share.
+#[derive(Debug)]
+pub(crate) struct Atlas {
+    pub(crate) texture: wgpu::Texture,
+    pub(crate) view: wgpu::TextureView,
+    comparison: wgpu::Sampler,
+    gather: wgpu::Sampler,
+}
+
+impl Atlas {
+    /// Creates the map; to be called under an error scope.
+    pub(crate) fn new(device: &wgpu::Device, table: &CaseTable) -> Self {
+        let label = format!("{} map", table.prefix);
+        let texture = device.create_texture(&wgpu::TextureDescriptor {
+            label: Some(&label),
+            size: wgpu::Extent3d {
+                width: table.map_width,
+                height: table.map_height,
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: texture_format(table.map_format),
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        });
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let comparison = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("cssm comparison"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            compare: Some(wgpu::CompareFunction::LessEqual),
+            ..Default::default()
+        });
+        let gather = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("cssm gather"),
+            ..Default::default()
+        });
+        Self {
+            texture,
+            view,
+            comparison,
+            gather,
+        }
+    }
+
+    /// What to bind for the map or one of its samplers.
+    pub(crate) fn resource(&self, kind: BindingKind) -> Option<wgpu::BindingResource<'_>> {
+        match kind {
+            BindingKind::Map => Some(wgpu::BindingResource::TextureView(&self.view)),
+            BindingKind::ComparisonSampler => Some(wgpu::BindingResource::Sampler(&self.comparison)),
+            BindingKind::GatherSampler => Some(wgpu::BindingResource::Sampler(&self.gather)),
+            _ => None,
+        }
+    }
+}
+
+/// The texture format of a declared one.
+pub(crate) const fn texture_format(format: DepthFormat) -> wgpu::TextureFormat {
+    match format {
+        DepthFormat::Depth32Float => wgpu::TextureFormat::Depth32Float,
+        DepthFormat::Depth16Unorm => wgpu::TextureFormat::Depth16Unorm,
+    }
+}

@@ -1,0 +1,134 @@
+//! What can go wrong, and what to do about it.
+
+use crate::mesh::MeshError;
+
+/// Why the service refuses. The state before the call stays in use.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ServiceError {
+    /// The map is larger than textures of the device may be.
+    #[error(
+        "the map of {width} x {height} texels exceeds the limit of {limit} texels a side; declare a smaller map.size or request the limits of features_and_limits"
+    )]
+    MapTooLarge {
+        /// Map width in texels.
+        width: u32,
+        /// Map height in texels.
+        height: u32,
+        /// Largest side.
+        limit: u32,
+    },
+    /// A record does not fit a uniform binding.
+    #[error(
+        "record {record} takes {bytes} bytes, but uniform bindings are limited to {limit}; declare fewer bands or splits, or request the limits of features_and_limits"
+    )]
+    RecordTooLarge {
+        /// Shader type name of the record.
+        record: String,
+        /// Its size.
+        bytes: u32,
+        /// Largest uniform binding.
+        limit: u64,
+    },
+    /// The declared bind group number is out of reach.
+    #[error(
+        "bind group {group} is declared, but only {limit} bind groups may be bound; declare a smaller group"
+    )]
+    GroupTooLarge {
+        /// Declared group number.
+        group: u32,
+        /// Number of groups.
+        limit: u32,
+    },
+    /// The adapter has no comparison samplers.
+    #[error("the adapter has no comparison samplers; declare filter: gather_2x2 or none")]
+    NoComparisonSampler,
+    /// The table lacks something that code generation adds.
+    #[error("case {case} has no {what} in its table; pass a table that code generation has filled")]
+    IncompleteTable {
+        /// Name of the case.
+        case: String,
+        /// What is missing.
+        what: &'static str,
+    },
+    /// The case does not declare the interface that was called.
+    #[error("case {case} does not declare {what}; add it to the case's resolve list")]
+    NotDeclared {
+        /// Name of the case.
+        case: String,
+        /// What was called.
+        what: &'static str,
+    },
+    /// The device refused to create something.
+    #[error(
+        "the device refused {what}: {reason}; check the table's shaders, the options and what was passed in"
+    )]
+    Refused {
+        /// What was to be created or done.
+        what: &'static str,
+        /// The device's own words.
+        reason: String,
+    },
+    /// The device has no memory left.
+    #[error("the device has no memory left for {what}; free resources or declare a smaller map")]
+    OutOfMemory {
+        /// What was to be created.
+        what: &'static str,
+    },
+    /// The device is lost.
+    #[error("the device is lost; create a new one and call rebuild")]
+    DeviceLost,
+    /// A mesh makes no sense.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// An instance names a mesh that the service does not hold.
+    #[error(
+        "instance {instance} names a mesh that was removed or belongs to a lost device; add the mesh again"
+    )]
+    UnknownMesh {
+        /// Position in the list of instances.
+        instance: usize,
+    },
+    /// A transform holds NaN or does not fit f32 relative to the eye.
+    #[error("the transform of instance {instance} is not finite relative to the eye; give finite transforms")]
+    Transform {
+        /// Position in the list of instances.
+        instance: usize,
+    },
+    /// The instances of a frame exceed what a buffer may hold.
+    #[error(
+        "{rows} instance rows exceed the device's largest buffer; merge meshes or request a larger max_buffer_size"
+    )]
+    TooManyInstances {
+        /// Rows over all facets.
+        rows: usize,
+    },
+    /// The plan was not made for this table.
+    #[error(
+        "the plan does not belong to case {case}: {why}; plan with the case that the table was generated from"
+    )]
+    ForeignPlan {
+        /// Name of the case.
+        case: String,
+        /// What gives it away.
+        why: &'static str,
+    },
+    /// The view's eye is not the plan's.
+    #[error("the view's eye is not the plan's; prepare with the view that was planned")]
+    ForeignView,
+    /// The frame was prepared by another service, or before a rebuild, or names a mesh that is gone.
+    #[error("the frame is stale: {why}; prepare it again")]
+    StaleFrame {
+        /// What happened since.
+        why: &'static str,
+    },
+    /// The mask pass reads a normal texture and none was given.
+    #[error("the mask pass reads normals from a texture; give MaskInputs::normal")]
+    MissingNormal,
+    /// Reading back failed.
+    #[error("the texture could not be read back: {why}; read colour or depth textures with COPY_SRC usage")]
+    ReadBack {
+        /// What failed.
+        why: &'static str,
+    },
+}

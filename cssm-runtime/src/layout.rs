@@ -1,0 +1,149 @@
+//! Bind group layouts and bindings, from the table's words to wgpu's.
+
+use std::num::NonZeroU64;
+
+use cssm_core::table::{BindGroup, BindingKind, CaseTable, GroupContent, Pass, RecordKind, ShaderKind};
+
+use crate::error::ServiceError;
+
+/// The layout of a table's group; visible to `stages`.
+pub(crate) fn group_layout(
+    device: &wgpu::Device,
+    table: &CaseTable,
+    group: &BindGroup,
+    stages: wgpu::ShaderStages,
+) -> wgpu::BindGroupLayout {
+    let entries: Vec<_> = group
+        .bindings
+        .iter()
+        .map(|binding| wgpu::BindGroupLayoutEntry {
+            binding: binding.binding,
+            visibility: stages,
+            ty: binding_type(table, binding.kind),
+            count: None,
+        })
+        .collect();
+    let label = format!("{} {}", table.prefix, group.content.label());
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some(&label),
+        entries: &entries,
+    })
+}
+
+/// A bind group of a table's group; `resource` finds what to bind.
+pub(crate) fn bind_group<'a>(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    group: &BindGroup,
+    resource: impl Fn(BindingKind) -> Option<wgpu::BindingResource<'a>>,
+) -> wgpu::BindGroup {
+    let entries: Vec<_> = group
+        .bindings
+        .iter()
+        .filter_map(|binding| {
+            Some(wgpu::BindGroupEntry {
+                binding: binding.binding,
+                resource: resource(binding.kind)?,
+            })
+        })
+        .collect();
+    let label = Some(group.content.label());
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label,
+        layout,
+        entries: &entries,
+    })
+}
+
+/// The group that holds the plan and the map, whichever shader uses it: equal contents have equal layouts.
+pub(crate) fn shadow_group(table: &CaseTable) -> Option<&BindGroup> {
+    table
+        .groups
+        .iter()
+        .find(|group| group.content == GroupContent::Shadow)
+}
+
+/// A group that the table must have.
+pub(crate) fn required_group(
+    table: &CaseTable,
+    shader: ShaderKind,
+    content: GroupContent,
+) -> Result<&BindGroup, ServiceError> {
+    table
+        .group(shader, content)
+        .ok_or_else(|| incomplete(table, "bind group of a pass"))
+}
+
+/// A pass that the table must have.
+pub(crate) fn required_pass(table: &CaseTable, shader: ShaderKind) -> Result<&Pass, ServiceError> {
+    table
+        .pass(shader)
+        .ok_or_else(|| incomplete(table, "capture pass"))
+}
+
+/// The module of a shader that the table must have.
+pub(crate) fn shader_module(
+    device: &wgpu::Device,
+    table: &CaseTable,
+    shader: ShaderKind,
+) -> Result<wgpu::ShaderModule, ServiceError> {
+    let generated = table.shader(shader).ok_or_else(|| incomplete(table, "shader"))?;
+    let label = format!("{} {}", table.prefix, shader.name());
+    crate::scope::checked(device, "a shader module", || {
+        device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(&label),
+            source: wgpu::ShaderSource::Wgsl(generated.wgsl.as_ref().into()),
+        })
+    })
+}
+
+/// Bytes of a record; zero where the case has none.
+pub(crate) fn record_bytes(table: &CaseTable, kind: RecordKind) -> u32 {
+    table.record(kind).map_or(0, |record| record.size_bytes)
+}
+
+pub(crate) fn incomplete(table: &CaseTable, what: &'static str) -> ServiceError {
+    ServiceError::IncompleteTable {
+        case: table.case.to_string(),
+        what,
+    }
+}
+
+fn binding_type(table: &CaseTable, kind: BindingKind) -> wgpu::BindingType {
+    let texture = |sample_type| wgpu::BindingType::Texture {
+        sample_type,
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
+    match kind {
+        BindingKind::Uniform {
+            record,
+            dynamic_offset,
+        } => wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: dynamic_offset,
+            min_binding_size: NonZeroU64::new(u64::from(record_bytes(table, record))),
+        },
+        BindingKind::Map | BindingKind::SceneDepth => texture(wgpu::TextureSampleType::Depth),
+        BindingKind::SceneLinearDepth | BindingKind::SceneNormal => {
+            texture(wgpu::TextureSampleType::Float { filterable: false })
+        }
+        BindingKind::ComparisonSampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison),
+        BindingKind::GatherSampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::NonFiltering),
+    }
+}
+
+/// Debug labels.
+trait Label {
+    fn label(self) -> &'static str;
+}
+
+impl Label for GroupContent {
+    fn label(self) -> &'static str {
+        match self {
+            Self::CaptureFacet => "capture facet",
+            Self::MaskInput => "mask input",
+            Self::Shadow => "shadow",
+        }
+    }
+}

@@ -1,0 +1,277 @@
+//! Casters: geometry that stays in the engine's own buffers and vertex format.
+
+use cssm_core::BoundingBox;
+use cssm_core::glam::DAffine3;
+
+use crate::commands::{MeshFacts, PipelineHandle};
+
+/// A triangle list in the engine's own buffers.
+///
+/// Positions are read in the format they are stored in. Whatever decodes them (the scale and origin of quantised
+/// positions, a unit of centimetres) belongs into [`CasterInstance::world_from_object`], which is f64: `object`
+/// space is what the vertex fetch yields, so for `Snorm16x4` it is the cube from -1 to 1.
+#[derive(Debug, Clone)]
+pub struct MeshDescription<'a> {
+    /// Buffer with positions; needs [`wgpu::BufferUsages::VERTEX`].
+    pub vertices: &'a wgpu::Buffer,
+    /// Where the mesh's first vertex begins in the buffer.
+    pub vertices_offset_bytes: u64,
+    /// Number of vertices.
+    pub vertex_count: u32,
+    /// Distance between vertices.
+    pub stride_bytes: u32,
+    /// Where the position lies in a vertex.
+    pub position_offset_bytes: u32,
+    /// Format of the position: any float, normalised or packed format with three or more components.
+    pub position_format: wgpu::VertexFormat,
+    /// Indices; `None`: every three vertices are a triangle.
+    pub indices: Option<IndexDescription<'a>>,
+    /// Box around the positions in object space.
+    pub bounds_object: BoundingBox,
+}
+
+/// Indices of a triangle list.
+#[derive(Debug, Clone)]
+pub struct IndexDescription<'a> {
+    /// Buffer with indices; needs [`wgpu::BufferUsages::INDEX`].
+    pub buffer: &'a wgpu::Buffer,
+    /// Where the mesh's first index begins in the buffer.
+    pub offset_bytes: u64,
+    /// Number of indices.
+    pub count: u32,
+    /// Format of an index.
+    pub format: wgpu::IndexFormat,
+}
+
+/// A mesh that the service draws into maps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct MeshHandle {
+    pub(crate) index: u32,
+    pub(crate) generation: u32,
+}
+
+/// One occurrence of a mesh in the world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CasterInstance {
+    /// The mesh.
+    pub mesh: MeshHandle,
+    /// From the mesh's object space to world space, metres.
+    pub world_from_object: DAffine3,
+}
+
+/// A mesh that makes no sense.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MeshError {
+    /// There is not one triangle.
+    #[error("the mesh has no triangle; leave it out")]
+    Empty,
+    /// The number of corners is no multiple of three.
+    #[error("the mesh has {corners} corners, which is no multiple of 3; give a triangle list")]
+    NotTriangles {
+        /// Vertices, or indices where there are some.
+        corners: u32,
+    },
+    /// The position format has too few components or holds integers.
+    #[error(
+        "positions of format {0:?} cannot be read as three floats; use a float, normalised or packed format with at least 3 components"
+    )]
+    Format(wgpu::VertexFormat),
+    /// The stride is out of range.
+    #[error(
+        "a stride of {stride_bytes} bytes does not work for positions at byte {position_offset_bytes}; give a multiple of 4 that holds the position, up to {limit}"
+    )]
+    Stride {
+        /// Distance between vertices.
+        stride_bytes: u32,
+        /// Where the position lies in a vertex.
+        position_offset_bytes: u32,
+        /// The device's largest stride.
+        limit: u32,
+    },
+    /// An offset is not aligned.
+    #[error("the {what} begin at byte {offset_bytes}, which is no multiple of {alignment}; align them")]
+    Alignment {
+        /// Vertices or indices.
+        what: &'static str,
+        /// Where they begin.
+        offset_bytes: u64,
+        /// What is needed.
+        alignment: u64,
+    },
+    /// The buffer ends before the mesh does.
+    #[error("the {what} end at byte {end_bytes} of a buffer of {size_bytes} bytes; check offsets and counts")]
+    OutOfRange {
+        /// Vertices or indices.
+        what: &'static str,
+        /// Where the mesh ends.
+        end_bytes: u64,
+        /// Size of the buffer.
+        size_bytes: u64,
+    },
+    /// The buffer may not be used as such.
+    #[error("the buffer of {what} lacks the usage {usage:?}; create it with that usage")]
+    Usage {
+        /// Vertices or indices.
+        what: &'static str,
+        /// What is needed.
+        usage: wgpu::BufferUsages,
+    },
+    /// The bounding box is not finite or inside out.
+    #[error("the bounding box of the mesh is not finite or has max < min; give the box around its positions")]
+    Bounds,
+}
+
+/// A mesh as the service keeps it.
+#[derive(Debug, Clone)]
+pub(crate) struct Mesh {
+    vertices: wgpu::Buffer,
+    vertices_range: std::ops::Range<u64>,
+    indices: Option<(wgpu::Buffer, std::ops::Range<u64>, wgpu::IndexFormat)>,
+    /// What commands are built from.
+    pub(crate) facts: MeshFacts,
+}
+
+impl Mesh {
+    /// Binds the mesh's buffers; `slot` is the vertex buffer slot.
+    pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass, slot: u32) {
+        pass.set_vertex_buffer(slot, self.vertices.slice(self.vertices_range.clone()));
+        if let Some((buffer, range, format)) = &self.indices {
+            pass.set_index_buffer(buffer.slice(range.clone()), *format);
+        }
+    }
+
+    /// Checks a description against its buffers and the device's limits.
+    pub(crate) fn checked(
+        description: &MeshDescription,
+        limits: &wgpu::Limits,
+        pipeline: PipelineHandle,
+    ) -> Result<Self, MeshError> {
+        let vertices_range = vertex_range(description, limits)?;
+        let indices = description.indices.as_ref().map(index_range).transpose()?;
+
+        // Count triangles and check the box.
+        let corners = description
+            .indices
+            .as_ref()
+            .map_or(description.vertex_count, |indices| indices.count);
+        if corners == 0 || description.vertex_count == 0 {
+            return Err(MeshError::Empty);
+        }
+        if corners % 3 != 0 {
+            return Err(MeshError::NotTriangles { corners });
+        }
+        let bounds = description.bounds_object;
+        if !(bounds.min.is_finite() && bounds.max.is_finite() && bounds.min.cmple(bounds.max).all()) {
+            return Err(MeshError::Bounds);
+        }
+
+        Ok(Self {
+            vertices: description.vertices.clone(),
+            vertices_range,
+            indices,
+            facts: MeshFacts {
+                pipeline,
+                corners,
+                indexed: description.indices.is_some(),
+                bounds_object: bounds,
+            },
+        })
+    }
+}
+
+/// Whether a vertex fetch yields at least three floats.
+pub(crate) const fn is_position_format(format: wgpu::VertexFormat) -> bool {
+    use wgpu::VertexFormat as Format;
+    matches!(
+        format,
+        Format::Float32x3
+            | Format::Float32x4
+            | Format::Float16x4
+            | Format::Snorm16x4
+            | Format::Unorm16x4
+            | Format::Snorm8x4
+            | Format::Unorm8x4
+            | Format::Unorm10_10_10_2
+    )
+}
+
+fn vertex_range(
+    description: &MeshDescription,
+    limits: &wgpu::Limits,
+) -> Result<std::ops::Range<u64>, MeshError> {
+    const WHAT: &str = "vertices";
+    if !is_position_format(description.position_format) {
+        return Err(MeshError::Format(description.position_format));
+    }
+    let (stride, offset) = (description.stride_bytes, description.position_offset_bytes);
+    let position_bytes = description.position_format.size();
+    let fits = u64::from(offset) + position_bytes <= u64::from(stride);
+    let limit = limits.max_vertex_buffer_array_stride;
+    if !fits || !u64::from(stride).is_multiple_of(wgpu::VERTEX_ALIGNMENT) || stride > limit {
+        return Err(MeshError::Stride {
+            stride_bytes: stride,
+            position_offset_bytes: offset,
+            limit,
+        });
+    }
+    if description.vertex_count == 0 {
+        return Err(MeshError::Empty);
+    }
+
+    // Bind from the first position to the end of the last one: the pipeline then reads positions at offset 0.
+    let length = u64::from(description.vertex_count - 1) * u64::from(stride) + position_bytes;
+    let start = description
+        .vertices_offset_bytes
+        .saturating_add(u64::from(offset));
+    let end = start.saturating_add(length);
+    if !start.is_multiple_of(wgpu::VERTEX_ALIGNMENT) {
+        return Err(MeshError::Alignment {
+            what: WHAT,
+            offset_bytes: start,
+            alignment: wgpu::VERTEX_ALIGNMENT,
+        });
+    }
+    in_buffer(description.vertices, WHAT, wgpu::BufferUsages::VERTEX, end)?;
+    Ok(start..end)
+}
+
+type BoundIndices = (wgpu::Buffer, std::ops::Range<u64>, wgpu::IndexFormat);
+
+fn index_range(indices: &IndexDescription) -> Result<BoundIndices, MeshError> {
+    const WHAT: &str = "indices";
+    if indices.count == 0 {
+        return Err(MeshError::Empty);
+    }
+    let size = indices.format.byte_size() as u64;
+    if !indices.offset_bytes.is_multiple_of(size) {
+        return Err(MeshError::Alignment {
+            what: WHAT,
+            offset_bytes: indices.offset_bytes,
+            alignment: size,
+        });
+    }
+    let end = indices
+        .offset_bytes
+        .saturating_add(u64::from(indices.count) * size);
+    in_buffer(indices.buffer, WHAT, wgpu::BufferUsages::INDEX, end)?;
+    Ok((indices.buffer.clone(), indices.offset_bytes..end, indices.format))
+}
+
+fn in_buffer(
+    buffer: &wgpu::Buffer,
+    what: &'static str,
+    usage: wgpu::BufferUsages,
+    end_bytes: u64,
+) -> Result<(), MeshError> {
+    if !buffer.usage().contains(usage) {
+        return Err(MeshError::Usage { what, usage });
+    }
+    if end_bytes > buffer.size() {
+        return Err(MeshError::OutOfRange {
+            what,
+            end_bytes,
+            size_bytes: buffer.size(),
+        });
+    }
+    Ok(())
+}

@@ -1,0 +1,96 @@
+//! What a case needs of a device, known before there is one.
+
+use cssm_core::table::{BindingKind, CaseTable};
+
+use crate::error::ServiceError;
+
+/// Features and limits to request a device with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Requirements {
+    /// Optional features of the adapter that the service uses: [`wgpu::Features::DEPTH_CLIP_CONTROL`] saves a fragment
+    /// shader in the capture pass, [`wgpu::Features::TIMESTAMP_QUERY`] times passes. Add the engine's own.
+    pub features: wgpu::Features,
+    /// The lowest limits that suffice. Merge them with the engine's own by
+    /// [`wgpu::Limits::or_better_values_from`].
+    pub limits: wgpu::Limits,
+}
+
+/// Features the service uses where they are offered.
+const USEFUL: wgpu::Features = wgpu::Features::DEPTH_CLIP_CONTROL.union(wgpu::Features::TIMESTAMP_QUERY);
+
+/// Features and limits that a case needs, to be requested with the engine's own.
+///
+/// # Errors
+/// What the adapter cannot offer: a map or a record that is too large, a bind group number out of reach, comparison
+/// samplers.
+pub fn features_and_limits(adapter: &wgpu::Adapter, table: &CaseTable) -> Result<Requirements, ServiceError> {
+    let offered = adapter.limits();
+    check_limits(&offered, table)?;
+    let compares = bindings(table).any(|kind| kind == BindingKind::ComparisonSampler);
+    let flags = adapter.get_downlevel_capabilities().flags;
+    if compares && !flags.contains(wgpu::DownlevelFlags::COMPARISON_SAMPLERS) {
+        return Err(ServiceError::NoComparisonSampler);
+    }
+
+    // Start from what every adapter has and raise what the case exceeds.
+    let lowest = wgpu::Limits::downlevel_webgl2_defaults().or_worse_values_from(&offered);
+    let side = table.map_width.max(table.map_height);
+    let record = table
+        .records
+        .iter()
+        .map(|record| u64::from(record.size_bytes))
+        .max()
+        .unwrap_or(0);
+    let groups = table
+        .groups
+        .iter()
+        .map(|group| group.group + 1)
+        .max()
+        .unwrap_or(0);
+    let limits = wgpu::Limits {
+        max_texture_dimension_2d: lowest.max_texture_dimension_2d.max(side),
+        max_uniform_buffer_binding_size: lowest.max_uniform_buffer_binding_size.max(record),
+        max_bind_groups: lowest.max_bind_groups.max(groups),
+        ..lowest
+    };
+    Ok(Requirements {
+        features: adapter.features() & USEFUL,
+        limits,
+    })
+}
+
+/// Compares a case with the limits of an adapter or a device.
+pub(crate) fn check_limits(offered: &wgpu::Limits, table: &CaseTable) -> Result<(), ServiceError> {
+    let (width, height, limit) = (
+        table.map_width,
+        table.map_height,
+        offered.max_texture_dimension_2d,
+    );
+    if width.max(height) > limit {
+        return Err(ServiceError::MapTooLarge { width, height, limit });
+    }
+    let limit = offered.max_uniform_buffer_binding_size;
+    if let Some(record) = table
+        .records
+        .iter()
+        .find(|record| u64::from(record.size_bytes) > limit)
+    {
+        let (record, bytes) = (record.name.to_string(), record.size_bytes);
+        return Err(ServiceError::RecordTooLarge { record, bytes, limit });
+    }
+    let limit = offered.max_bind_groups;
+    if let Some(group) = table.groups.iter().find(|group| group.group >= limit) {
+        return Err(ServiceError::GroupTooLarge {
+            group: group.group,
+            limit,
+        });
+    }
+    Ok(())
+}
+
+fn bindings(table: &CaseTable) -> impl Iterator<Item = BindingKind> + '_ {
+    table
+        .groups
+        .iter()
+        .flat_map(|group| group.bindings.iter().map(|binding| binding.kind))
+}

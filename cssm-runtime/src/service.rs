@@ -1,0 +1,411 @@
+//! The shadow service: from a table to pipelines, from plans to maps, from maps to visibility.
+
+use std::sync::Arc;
+
+use cssm_core::table::{CaseTable, GroupContent, ShaderKind};
+use cssm_core::{ShadowPlan, View};
+
+use crate::atlas::Atlas;
+use crate::capture::{CapturePipelines, VertexKey, capture_shader};
+use crate::commands::FrameCommands;
+use crate::error::ServiceError;
+use crate::frame::{PreparedFrame, SlotLayouts, SlotPool, UniformLayout};
+use crate::health::HealthProbe;
+use crate::layout::{group_layout, required_group, shadow_group};
+use crate::mesh::{CasterInstance, Mesh, MeshDescription, MeshError, MeshHandle, is_position_format};
+use crate::read_back;
+use crate::requirements::check_limits;
+use crate::resolve::{MaskInputs, MaskPipeline};
+use crate::scope::checked;
+use crate::upload::{check_plan, upload};
+
+/// Choices of the engine that no declaration makes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Options {
+    /// Format of the mask pass's target; a colour format that can be rendered to.
+    pub mask_format: wgpu::TextureFormat,
+    /// Stages of the engine's own pipelines that call the visibility function.
+    pub material_stages: wgpu::ShaderStages,
+    /// Clamps depth in a fragment shader even where the device can leave depth unclipped. Both ways draw equal maps;
+    /// this one exists for devices without [`wgpu::Features::DEPTH_CLIP_CONTROL`] and can be forced for comparisons.
+    pub clamp_in_fragments: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            mask_format: wgpu::TextureFormat::R8Unorm,
+            material_stages: wgpu::ShaderStages::FRAGMENT,
+            clamp_in_fragments: false,
+        }
+    }
+}
+
+/// Executes the tables of one light case on one device.
+#[derive(Debug)]
+pub struct ShadowService {
+    table: CaseTable,
+    options: Options,
+    gpu: Gpu,
+    meshes: Vec<MeshEntry>,
+}
+
+/// Everything that dies with the device.
+#[derive(Debug)]
+struct Gpu {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    atlas: Atlas,
+    layouts: SlotLayouts,
+    capture: CapturePipelines,
+    mask: Option<MaskPipeline>,
+    slots: SlotPool,
+    probe: HealthProbe,
+    /// Tells frames of this device and service from all others.
+    identity: Arc<()>,
+}
+
+#[derive(Debug, Default)]
+struct MeshEntry {
+    generation: u32,
+    mesh: Option<Mesh>,
+}
+
+impl ShadowService {
+    /// Creates the map and the pipelines of a table that code generation has filled.
+    ///
+    /// # Errors
+    /// Limits the device does not meet, shaders it refuses, a lost device.
+    pub fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        table: &CaseTable,
+        options: &Options,
+    ) -> Result<Self, ServiceError> {
+        let gpu = Gpu::new(device, queue, table, options)?;
+        Ok(Self {
+            table: table.clone(),
+            options: *options,
+            gpu,
+            meshes: Vec::new(),
+        })
+    }
+
+    /// The table that the service executes.
+    pub fn table(&self) -> &CaseTable {
+        &self.table
+    }
+
+    /// Which capture shader runs: [`ShaderKind::Capture`] or, clamping per fragment, [`ShaderKind::CaptureClamped`].
+    pub fn capture_shader(&self) -> ShaderKind {
+        self.gpu.capture.shader()
+    }
+
+    /// Registers a caster mesh. Its buffers stay the engine's; they are kept alive until the mesh is removed.
+    ///
+    /// # Errors
+    /// A [`MeshError`], or a device that refuses the vertex format.
+    pub fn add_mesh(&mut self, description: &MeshDescription) -> Result<MeshHandle, ServiceError> {
+        // Check first, create the pipeline for a new vertex format after.
+        let limits = self.gpu.device.limits();
+        if !is_position_format(description.position_format) {
+            return Err(MeshError::Format(description.position_format).into());
+        }
+        Mesh::checked(description, &limits, Default::default())?;
+        let key = VertexKey {
+            format: description.position_format,
+            stride_bytes: description.stride_bytes,
+        };
+        let pipeline = self.gpu.capture.handle(&self.gpu.device, key)?;
+        let mesh = Mesh::checked(description, &limits, pipeline)?;
+
+        // Reuse a free entry.
+        let free = self.meshes.iter().position(|entry| entry.mesh.is_none());
+        let index = free.unwrap_or_else(|| {
+            self.meshes.push(MeshEntry::default());
+            self.meshes.len() - 1
+        });
+        let entry = &mut self.meshes[index];
+        entry.mesh = Some(mesh);
+        Ok(MeshHandle {
+            index: index as u32,
+            generation: entry.generation,
+        })
+    }
+
+    /// Forgets a mesh; returns whether it was known. Frames that draw it become stale.
+    pub fn remove_mesh(&mut self, mesh: MeshHandle) -> bool {
+        let known = self.mesh(mesh).is_some();
+        if known && let Some(entry) = self.meshes.get_mut(mesh.index as usize) {
+            *entry = MeshEntry {
+                generation: entry.generation.wrapping_add(1),
+                mesh: None,
+            };
+        }
+        known
+    }
+
+    /// Culls casters for every facet of a plan and uploads one view of one frame.
+    ///
+    /// Any number of frames may be prepared before anything is submitted: each has buffers of its own. No casters at
+    /// all is a frame too, with everything lit. A failure leaves earlier frames untouched.
+    ///
+    /// # Errors
+    /// Plans of another case, views of another eye, transforms that are not finite, unknown meshes, a lost device.
+    pub fn prepare(
+        &mut self,
+        plan: &ShadowPlan,
+        view: &View,
+        instances: &[CasterInstance],
+    ) -> Result<PreparedFrame, ServiceError> {
+        check_plan(&self.table, plan, view)?;
+        let (commands, statistics) =
+            FrameCommands::build(plan, instances, |mesh| self.mesh(mesh).map(|mesh| mesh.facts))?;
+        let Gpu {
+            device,
+            queue,
+            atlas,
+            layouts,
+            slots,
+            identity,
+            ..
+        } = &mut self.gpu;
+        let slot = slots.acquire(device, &self.table, layouts, atlas, commands.rows.len())?;
+        checked(device, "a frame's upload", || {
+            upload(
+                queue,
+                &self.table,
+                &layouts.uniforms,
+                &slot,
+                plan,
+                view,
+                &commands,
+            );
+        })?;
+        let frame = PreparedFrame {
+            service: Arc::clone(identity),
+            slot,
+            commands,
+            statistics,
+        };
+        self.gpu.alive()?;
+        Ok(frame)
+    }
+
+    /// Records the capture: one render pass into the map, replacing what it held.
+    ///
+    /// The map is shared by all frames of the service: record each view's capture and what reads it before the next
+    /// view's capture.
+    ///
+    /// # Errors
+    /// [`ServiceError::StaleFrame`]; nothing is recorded then.
+    pub fn capture(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &PreparedFrame,
+        timestamps: Option<wgpu::RenderPassTimestampWrites>,
+    ) -> Result<(), ServiceError> {
+        self.check_frame(frame)?;
+        if frame.commands.meshes().any(|mesh| self.mesh(mesh).is_none()) {
+            return Err(ServiceError::StaleFrame {
+                why: "it draws a mesh that was removed",
+            });
+        }
+        let Gpu {
+            capture,
+            atlas,
+            layouts,
+            ..
+        } = &self.gpu;
+        let stride = layouts.uniforms.facet_stride;
+        let mesh = |mesh| self.mesh(mesh);
+        capture.replay(
+            encoder,
+            &atlas.view,
+            &frame.slot,
+            stride,
+            &frame.commands,
+            mesh,
+            timestamps,
+        );
+        keep_until_done(encoder, frame);
+        Ok(())
+    }
+
+    /// Records the mask pass: visibility of every pixel of the view into `target`, 1 where lit.
+    ///
+    /// `target` and the inputs have the view's size. With reversed-z or linear depth the receiver's position is good
+    /// to about 1e-6 of its depth; depth from near to far in [0, 1] would not be.
+    ///
+    /// # Errors
+    /// [`ServiceError::NotDeclared`], [`ServiceError::StaleFrame`], [`ServiceError::MissingNormal`], textures of
+    /// another kind than declared. Nothing is recorded then.
+    pub fn mask(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &PreparedFrame,
+        inputs: &MaskInputs,
+        target: &wgpu::TextureView,
+        timestamps: Option<wgpu::RenderPassTimestampWrites>,
+    ) -> Result<(), ServiceError> {
+        self.check_frame(frame)?;
+        let Gpu {
+            device,
+            mask,
+            layouts,
+            ..
+        } = &self.gpu;
+        let not_declared = || ServiceError::NotDeclared {
+            case: self.table.case.to_string(),
+            what: "a mask",
+        };
+        let mask = mask.as_ref().ok_or_else(not_declared)?;
+        let inputs = mask.bind(device, &self.table, layouts, &frame.slot, inputs)?;
+        mask.replay(encoder, &self.table, &frame.slot, &inputs, target, timestamps)?;
+        keep_until_done(encoder, frame);
+        Ok(())
+    }
+
+    /// Layout of [`PreparedFrame::shadow_bind_group`], for the engine's own pipeline layouts; `None` where the case
+    /// declares no resolve interface.
+    pub fn shadow_bind_group_layout(&self) -> Option<&wgpu::BindGroupLayout> {
+        self.gpu.layouts.shadow.as_ref()
+    }
+
+    /// The map, for debug views; [`wgpu::TextureUsages::COPY_SRC`] is among its usages.
+    pub fn map(&self) -> &wgpu::Texture {
+        &self.gpu.atlas.texture
+    }
+
+    /// Stored depths of the map, row by row. Blocks; see [`read_back::texture_bytes`].
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn read_map(&self) -> Result<Vec<f32>, ServiceError> {
+        let bytes = read_back::texture_bytes(&self.gpu.device, &self.gpu.queue, &self.gpu.atlas.texture)?;
+        Ok(match self.gpu.atlas.texture.format() {
+            wgpu::TextureFormat::Depth16Unorm => {
+                let stored = bytes
+                    .chunks_exact(2)
+                    .map(|texel| u16::from_le_bytes([texel[0], texel[1]]));
+                stored
+                    .map(|texel| f32::from(texel) / f32::from(u16::MAX))
+                    .collect()
+            }
+            _ => bytes
+                .chunks_exact(4)
+                .map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+                .collect(),
+        })
+    }
+
+    /// Number of frame buffers in use or waiting for reuse.
+    pub fn frame_slots(&self) -> usize {
+        self.gpu.slots.len()
+    }
+
+    /// Whether the device is lost. No callback of the device is touched: a mapping of four bytes tells, at once
+    /// natively and one call later in browsers.
+    pub fn device_lost(&self) -> bool {
+        self.gpu.probe.device_lost()
+    }
+
+    /// Starts over on another device, after a loss. Meshes and prepared frames of the old device are forgotten and
+    /// their handles refused: add the meshes' new buffers again. On failure everything stays as it was.
+    ///
+    /// # Errors
+    /// As [`ShadowService::new`].
+    pub fn rebuild(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<(), ServiceError> {
+        self.gpu = Gpu::new(device, queue, &self.table, &self.options)?;
+        for entry in &mut self.meshes {
+            *entry = MeshEntry {
+                generation: entry.generation.wrapping_add(1),
+                mesh: None,
+            };
+        }
+        Ok(())
+    }
+
+    fn mesh(&self, handle: MeshHandle) -> Option<&Mesh> {
+        let entry = self.meshes.get(handle.index as usize)?;
+        entry
+            .mesh
+            .as_ref()
+            .filter(|_| entry.generation == handle.generation)
+    }
+
+    fn check_frame(&self, frame: &PreparedFrame) -> Result<(), ServiceError> {
+        if !Arc::ptr_eq(&frame.service, &self.gpu.identity) {
+            return Err(ServiceError::StaleFrame {
+                why: "another service or an earlier device prepared it",
+            });
+        }
+        Ok(())
+    }
+}
+
+impl Gpu {
+    fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        table: &CaseTable,
+        options: &Options,
+    ) -> Result<Self, ServiceError> {
+        let limits = device.limits();
+        check_limits(&limits, table)?;
+        let probe = checked(device, "a health probe", || HealthProbe::new(device))?;
+        if probe.device_lost() {
+            return Err(ServiceError::DeviceLost);
+        }
+
+        // Create layouts first: slots and pipelines share them.
+        let shader = capture_shader(device, table, options.clamp_in_fragments)?;
+        let capture_group = required_group(table, shader, GroupContent::CaptureFacet)?;
+        let (capture, shadow) = checked(device, "bind group layouts", || {
+            let stages = options.material_stages | wgpu::ShaderStages::FRAGMENT;
+            let shadow = shadow_group(table).map(|group| group_layout(device, table, group, stages));
+            (
+                group_layout(device, table, capture_group, wgpu::ShaderStages::VERTEX),
+                shadow,
+            )
+        })?;
+        let uniforms = UniformLayout::new(table, limits.min_uniform_buffer_offset_alignment);
+        let layouts = SlotLayouts {
+            capture,
+            shadow,
+            uniforms,
+        };
+
+        let atlas = checked(device, "the map", || Atlas::new(device, table))?;
+        let capture = CapturePipelines::new(device, table, shader, &layouts.capture)?;
+        let mask = MaskPipeline::new(device, table, &layouts, options.mask_format)?;
+        let gpu = Self {
+            device: device.clone(),
+            queue: queue.clone(),
+            atlas,
+            layouts,
+            capture,
+            mask,
+            slots: SlotPool::default(),
+            probe,
+            identity: Arc::new(()),
+        };
+        gpu.alive()?;
+        Ok(gpu)
+    }
+
+    /// A lost device accepts everything and does nothing: ask before believing in success.
+    fn alive(&self) -> Result<(), ServiceError> {
+        if self.probe.device_lost() {
+            Err(ServiceError::DeviceLost)
+        } else {
+            Ok(())
+        }
+    }
+}
+
+/// Holds a frame's slot until the encoder's work is done, or the encoder is dropped.
+fn keep_until_done(encoder: &wgpu::CommandEncoder, frame: &PreparedFrame) {
+    let slot = Arc::clone(&frame.slot);
+    encoder.on_submitted_work_done(move || drop(slot));
+}

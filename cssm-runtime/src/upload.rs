@@ -1,0 +1,95 @@
+//! A plan into a frame's buffers, rounded once.
+
+use cssm_core::ShadowPlan;
+use cssm_core::View;
+use cssm_core::table::{CaseTable, write_capture_record, write_mask_record, write_shadow_record};
+
+use crate::commands::FrameCommands;
+use crate::error::ServiceError;
+use crate::frame::{Slot, UniformLayout};
+
+/// Checks that a plan can be written into a table's records and drawn into its map.
+pub(crate) fn check_plan(table: &CaseTable, plan: &ShadowPlan, view: &View) -> Result<(), ServiceError> {
+    let foreign = |why| {
+        Err(ServiceError::ForeignPlan {
+            case: table.case.to_string(),
+            why,
+        })
+    };
+    if plan.map_size_texels != (table.map_width, table.map_height) {
+        return foreign("its map has another size");
+    }
+    if plan.facets.iter().any(|facet| facet.index >= table.facets()) {
+        return foreign("it has more facets");
+    }
+    if !plan.facets.is_sorted_by(|one, other| one.index < other.index) {
+        return foreign("its facets are not in ascending order");
+    }
+
+    // The selection must fill the table's arrays and no more.
+    let selection = &plan.selection;
+    let rows = |count: usize, used: bool| count as u32 == if used { table.sectors } else { 0 };
+    if !rows(selection.borders.len(), table.sectors > 1)
+        || !rows(selection.distances.len(), table.bands > 1)
+        || !rows(selection.thresholds.len(), table.bands > 1)
+        || selection
+            .thresholds
+            .iter()
+            .any(|limits| limits.len() as u32 != table.bands - 1)
+    {
+        return foreign("its selection has another shape");
+    }
+
+    // Tiles must lie in the map and rows must survive the rounding.
+    for facet in &plan.facets {
+        let tile = &facet.tile;
+        let right = tile
+            .x
+            .checked_add(tile.width)
+            .is_some_and(|right| right <= table.map_width);
+        let bottom = tile
+            .y
+            .checked_add(tile.height)
+            .is_some_and(|bottom| bottom <= table.map_height);
+        if !right || !bottom || tile.width == 0 || tile.height == 0 {
+            return foreign("a tile leaves its map");
+        }
+        let rows = [facet.rows.x, facet.rows.y, facet.rows.z, facet.rows.w];
+        if rows.iter().any(|row| !row.as_vec4().is_finite()) {
+            return foreign("a facet's rows are not finite in f32");
+        }
+    }
+    if view.eye_world != plan.eye_world {
+        return Err(ServiceError::ForeignView);
+    }
+    Ok(())
+}
+
+/// Writes all records and instance rows of a frame; to be called under an error scope.
+pub(crate) fn upload(
+    queue: &wgpu::Queue,
+    table: &CaseTable,
+    layout: &UniformLayout,
+    slot: &Slot,
+    plan: &ShadowPlan,
+    view: &View,
+    commands: &FrameCommands,
+) {
+    let mut bytes = vec![0; layout.size as usize];
+    let mut put = |offset: u64, record: Vec<u8>| {
+        let offset = offset as usize;
+        bytes[offset..offset + record.len()].copy_from_slice(&record);
+    };
+    for (position, facet) in plan.facets.iter().enumerate() {
+        put(
+            position as u64 * layout.facet_stride,
+            write_capture_record(table, facet),
+        );
+    }
+    put(layout.shadow_offset, write_shadow_record(table, plan));
+    put(layout.mask_offset, write_mask_record(table, view));
+    queue.write_buffer(&slot.uniforms, 0, &bytes);
+    if !commands.rows.is_empty() {
+        queue.write_buffer(&slot.instances, 0, bytemuck::cast_slice(&commands.rows));
+    }
+}

@@ -12,7 +12,6 @@ mod fields;
 mod names;
 
 pub use builder::LightCaseBuilder;
-pub(crate) use check::infinite_receivers;
 pub use fields::{FIELDS, MAP_SIDE_LIMIT_TEXELS};
 
 use crate::facet::FacetShape;

@@ -145,6 +145,13 @@ fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileErro
     }
     let mut root = document.into_json();
     root.extensions_required.clear();
+    // Name primitives without positions before the validator refuses them less clearly.
+    let positions = gltf::json::validation::Checked::Valid(gltf::Semantic::Positions);
+    for (mesh, primitives) in root.meshes.iter().map(|mesh| &mesh.primitives).enumerate() {
+        if let Some(primitive) = primitives.iter().position(|p| !p.attributes.contains_key(&positions)) {
+            return Err(SceneFileError::NoPositions { mesh, primitive });
+        }
+    }
     let document = gltf::Document::from_json(root).map_err(malformed)?;
 
     let buffers = load_buffers(&document, blob, path)?;

@@ -107,6 +107,22 @@ fn axis_aligned_rays_meet_flat_boxes() {
 #[test]
 fn empty_scenes_are_sky() {
     let tracer = Tracer::new(&scene(Vec::new(), &[]));
-    let frame = Frame::trace(&tracer, &view(DVec3::Y, DVec3::ZERO), &light(0.0, -1.0, 0.0), &|_| {});
+    let frame = Frame::trace(&tracer, &view(DVec3::X, DVec3::ZERO), &light(0.0, -1.0, 0.0), &|_| {});
     assert_eq!(frame.visible().count(), 0);
+}
+
+#[test]
+fn city_is_traced_in_seconds() {
+    let start = std::time::Instant::now();
+    let scene = Scene::city();
+    let tracer = Tracer::new(&scene);
+    let built = start.elapsed();
+    let spot = scene.views[0];
+    let view =
+        View::perspective(spot.eye_world, spot.target_world, DVec3::Y, 1.0, 0.1, f64::INFINITY, (640, 360)).unwrap();
+    let light = Light::directional_travelling(spot.light_travels).unwrap();
+    let frame = Frame::trace(&tracer, &view, &light, &|_| {});
+    println!("{} triangles: built in {built:?}, with 640 x 360 pixels {:?}", tracer.triangles(), start.elapsed());
+    let shadowed = frame.visible().filter(|(_, pixel)| !pixel.lit).count();
+    assert!(shadowed > 640 * 360 / 20 && frame.visible().count() > 640 * 360 / 2, "{shadowed}");
 }

@@ -17,13 +17,23 @@ pub(crate) struct DepthRow {
     pub depth_per_metre: f64,
 }
 
-/// Longest range along the light in widths w of the facet. Receivers beyond it lie within 1/8192 rad of the light's own
-/// direction (or its opposite) as seen from the eye, less than a pixel; they share depth 0 or 1.
-const DEPTH_RANGE_PER_WIDTH: f64 = 8192.0;
+/// View depth, camera space.
+const DEPTH: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
 
 /// Finds the row with the steepest slope along the light; `margin_metres_per_w` is kept free, in metres along the light
-/// per w, before and behind the receivers. `None` when the receivers have no usable extent.
-pub(crate) fn depth_row(w: DVec4, light: DVec4, receivers: &Polytope, margin_metres_per_w: f64) -> Option<DepthRow> {
+/// per w, before and behind the receivers; receivers deeper than
+/// `farthest_metres_per_w` share depth 0 or 1. `None` when the receivers have no usable extent.
+pub(crate) fn depth_row(
+    w: DVec4,
+    light: DVec4,
+    receivers: &Polytope,
+    margin_metres_per_w: f64,
+    farthest_metres_per_w: f64,
+) -> Option<DepthRow> {
+    // Where the view looks along the light, a facet near that axis holds receivers at any distance: leave out those
+    // that are too far to be told apart on the screen.
+    let receivers = receivers.cut_by(&[w * farthest_metres_per_w - DEPTH]);
+
     // Try every face of the polytope and the plane across the light (facet algebra: zeta0 = -sign(pi.L) pi).
     let toward = light.truncate();
     let across_light = (-toward).extend(0.0);
@@ -36,7 +46,7 @@ pub(crate) fn depth_row(w: DVec4, light: DVec4, receivers: &Polytope, margin_met
         if slope < 1e-9 {
             return None;
         }
-        let (first, last) = bounded_range(zeta, w, slope, light, receivers)?;
+        let (first, last) = receivers.ratio_range(zeta, w);
         let margin = margin_metres_per_w * slope;
         let extent = last - first + 2.0 * margin;
         if !(extent > 0.0 && extent.is_finite()) {
@@ -49,17 +59,4 @@ pub(crate) fn depth_row(w: DVec4, light: DVec4, receivers: &Polytope, margin_met
         .chain(faces)
         .filter_map(candidate)
         .max_by(|one, two| one.depth_per_metre.total_cmp(&two.depth_per_metre))
-}
-
-/// Range of zeta/w over the receivers. Where the view looks along the light, a facet near that axis holds receivers at
-/// any distance: the end away from the eye is cut.
-fn bounded_range(zeta: DVec4, w: DVec4, slope: f64, light: DVec4, receivers: &Polytope) -> Option<(f64, f64)> {
-    let (first, last) = receivers.ratio_range(zeta, w);
-    let longest = DEPTH_RANGE_PER_WIDTH * slope;
-    if last - first <= longest {
-        return Some((first, last));
-    }
-    // Camera space: a light behind the eye has z > 0 and meets receivers near the eye first.
-    let range = if light.z >= 0.0 { (first, first + longest) } else { (last - longest, last) };
-    (range.0.is_finite() && range.1.is_finite()).then_some(range)
 }

@@ -20,7 +20,7 @@
 //! thresholds on one distance. It is total by construction: every point has exactly one facet, in f64 and in f32,
 //! also on borders, where testing each facet's own half-spaces in f32 would leave points in none or in several.
 
-use glam::DVec4;
+use glam::{DVec2, DVec4};
 
 /// How many facets a plan of a case may have and how a receiver finds its own; fixed by the declaration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,6 +51,11 @@ pub struct FacetRows {
     pub w: DVec4,
 }
 
+/// Distance from a tile's edge, in texels, that keeps the nearest texel inside the tile in f32.
+const NEAREST_TAP_MARGIN: f64 = 0.001;
+/// Distance from a tile's edge, in texels, that keeps the four nearest texels inside the tile in f32.
+const LINEAR_TAP_MARGIN: f64 = 0.51;
+
 /// A rectangle of the map in whole texels; (0, 0) is the map's upper left corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Tile {
@@ -73,6 +78,15 @@ impl Tile {
             f64::from(self.x) + (x_ndc * 0.5 + 0.5) * f64::from(self.width),
             f64::from(self.y) + (0.5 - y_ndc * 0.5) * f64::from(self.height),
         )
+    }
+
+    /// Smallest and largest map texel coordinate of a receiver for which no filter tap leaves the tile.
+    pub fn texel_limits(&self) -> (DVec2, DVec2) {
+        // Taps reach one texel centre past the receiver.
+        let margin = if self.gutter == 0 { NEAREST_TAP_MARGIN } else { LINEAR_TAP_MARGIN };
+        let low = DVec2::new(f64::from(self.x), f64::from(self.y));
+        let size = DVec2::new(f64::from(self.width), f64::from(self.height));
+        (low + margin, low + size - margin)
     }
 
     /// Number of texels, gutters included.

@@ -1,5 +1,9 @@
 //! Quality figures of a plan: how many screen pixels a map texel spans, and how much of the map sees anything.
 
+mod score;
+
+pub use score::{VolumeScore, accepts, score_volume};
+
 use glam::{DVec2, DVec3};
 
 use crate::facet::{Facet, FacetRows, Tile};
@@ -17,7 +21,7 @@ pub struct Footprint {
     pub geometric_pixels: f64,
 }
 
-/// Texels and pixels-per-metre context shared by footprints.
+/// Displacements across the light, in metres, of one texel across and one up.
 fn texel_vectors(rows: &FacetRows, tile: &Tile, point_from_eye: DVec3) -> (DVec3, DVec3) {
     let (u, v) = Gradients::at(rows, point_from_eye).across_light();
     (u * (2.0 / f64::from(tile.width)), v * (2.0 / f64::from(tile.height)))

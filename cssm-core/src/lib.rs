@@ -14,6 +14,7 @@ pub mod samples;
 pub mod schema;
 pub mod table;
 pub mod technique;
+pub mod twin;
 pub mod view;
 
 pub use case::LightCase;

@@ -3,13 +3,13 @@
 use glam::{DVec2, DVec4};
 
 use crate::facet::FacetRows;
-use crate::receivers::Polytope;
+use crate::receivers::{ALONG_LIGHT, Polytope};
 
 /// Convex outline (counter-clockwise, NDC) of a receiver vertex list in a facet's clip space.
 pub fn outline(rows: &FacetRows, receivers: &[DVec4]) -> Vec<DVec2> {
     let points = receivers.iter().filter_map(|vertex| {
         let w = rows.w.dot(*vertex);
-        let usable = w > NEGLIGIBLE * rows.w.abs().dot(vertex.abs());
+        let usable = w > ALONG_LIGHT * rows.w.length() * vertex.length();
         usable.then(|| DVec2::new(rows.x.dot(*vertex), rows.y.dot(*vertex)) / w)
     });
     hull(points.collect())
@@ -25,9 +25,6 @@ pub fn area(outline: &[DVec2]) -> f64 {
     let edges = outline.iter().zip(outline.iter().cycle().skip(1));
     0.5 * edges.map(|(one, two)| one.perp_dot(*two)).sum::<f64>()
 }
-
-/// w, relative to its terms, below which a vertex is a direction along the light.
-const NEGLIGIBLE: f64 = 1e-13;
 
 /// Convex hull by monotone chains, counter-clockwise.
 fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {

@@ -22,6 +22,8 @@ pub struct Polytope {
 
 /// Distance from a plane, relative to plane and point, below which a vertex counts as lying on it.
 const ON_PLANE: f64 = 1e-13;
+/// Value of a row, relative to row and vertex, below which a vertex is a direction along the light.
+pub(crate) const ALONG_LIGHT: f64 = 1e-12;
 const AT_INFINITY: u64 = 1 << 63;
 /// Plane bits end below the bit of infinity.
 const PLANE_LIMIT: usize = 63;
@@ -89,7 +91,8 @@ impl Polytope {
             .iter()
             .map(|vertex| {
                 let value = plane.dot(*vertex);
-                let scale = plane.abs().dot(vertex.abs());
+                let lengths = plane.truncate().length() * vertex.truncate().length();
+                let scale = lengths + (plane.w * vertex.w).abs();
                 if value.abs() <= ON_PLANE * scale { 0.0 } else { value }
             })
             .collect();
@@ -152,7 +155,8 @@ impl Polytope {
         let mut range = (f64::INFINITY, f64::NEG_INFINITY);
         for vertex in &self.vertices {
             let (value, scale) = (row.dot(*vertex), w.dot(*vertex));
-            let negligible = |value: f64, row: DVec4| value.abs() <= ON_PLANE * row.abs().dot(vertex.abs());
+            let negligible =
+                |value: f64, row: DVec4| value.abs() <= ALONG_LIGHT * row.length() * vertex.length();
             let ratio = match (negligible(value, row), negligible(scale, w)) {
                 (_, false) => value / scale,
                 (true, true) => continue,

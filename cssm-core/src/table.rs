@@ -7,7 +7,7 @@
 mod describe;
 mod write;
 
-pub use write::{MaskDepthInput, write_capture_record, write_mask_record, write_shadow_record};
+pub use write::{write_capture_record, write_mask_record, write_shadow_record};
 
 use std::borrow::Cow;
 

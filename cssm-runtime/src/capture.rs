@@ -3,12 +3,12 @@
 use cssm_core::table::{CaseTable, ShaderKind};
 
 use crate::atlas::texture_format;
-use crate::commands::{Command, FrameCommands, PipelineHandle};
+use crate::commands::{Command, PipelineHandle};
 use crate::cull::InstanceRows;
 use crate::error::ServiceError;
-use crate::frame::Slot;
+use crate::frame::PreparedFrame;
 use crate::layout::{incomplete, required_pass, shader_module};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, MeshHandle};
 use crate::scope::checked;
 
 /// Vertex buffer slot of the engine's positions.
@@ -156,10 +156,9 @@ impl CapturePipelines {
         &self,
         encoder: &mut wgpu::CommandEncoder,
         map: &wgpu::TextureView,
-        slot: &Slot,
+        frame: &PreparedFrame,
         facet_stride: u64,
-        frame: &FrameCommands,
-        meshes: impl Fn(crate::MeshHandle) -> Option<&'m Mesh>,
+        meshes: impl Fn(MeshHandle) -> Option<&'m Mesh>,
         timestamps: Option<wgpu::RenderPassTimestampWrites>,
     ) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -176,15 +175,15 @@ impl CapturePipelines {
             timestamp_writes: timestamps,
             ..Default::default()
         });
-        if frame.commands.is_empty() {
+        if frame.commands.commands.is_empty() {
             return;
         }
-        pass.set_vertex_buffer(INSTANCE_SLOT, slot.instances.slice(..));
-        for command in &frame.commands {
+        pass.set_vertex_buffer(INSTANCE_SLOT, frame.slot.instances.slice(..));
+        for command in &frame.commands.commands {
             match command {
                 Command::Facet { facet, tile } => {
                     let offset = u64::from(facet.0) * facet_stride;
-                    pass.set_bind_group(0, &slot.capture_group, &[offset as u32]);
+                    pass.set_bind_group(0, &frame.slot.capture_group, &[offset as u32]);
                     pass.set_viewport(
                         tile.x as f32,
                         tile.y as f32,

@@ -226,3 +226,6 @@ impl Caster {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

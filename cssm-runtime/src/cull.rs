@@ -24,7 +24,7 @@ impl InstanceRows {
 }
 
 /// The transform with the eye at the origin.
-pub fn eye_from_object(world_from_object: &DAffine3, eye_world: DVec3) -> DAffine3 {
+pub(crate) fn eye_from_object(world_from_object: &DAffine3, eye_world: DVec3) -> DAffine3 {
     DAffine3 {
         matrix3: world_from_object.matrix3,
         translation: world_from_object.translation - eye_world,
@@ -32,7 +32,7 @@ pub fn eye_from_object(world_from_object: &DAffine3, eye_world: DVec3) -> DAffin
 }
 
 /// The smallest box of world axes around a transformed box.
-pub fn box_from_eye(eye_from_object: &DAffine3, bounds_object: &BoundingBox) -> BoundingBox {
+pub(crate) fn box_from_eye(eye_from_object: &DAffine3, bounds_object: &BoundingBox) -> BoundingBox {
     let centre = eye_from_object.transform_point3((bounds_object.min + bounds_object.max) * 0.5);
     let half = eye_from_object.matrix3.abs() * ((bounds_object.max - bounds_object.min) * 0.5);
     BoundingBox {

@@ -7,6 +7,8 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use crate::scope::checked;
+
 /// A buffer whose mapping fails when the device is lost.
 #[derive(Debug)]
 pub(crate) struct HealthProbe {
@@ -38,24 +40,31 @@ impl HealthProbe {
 
     /// Whether the device is lost. Natively a lost device refuses the mapping before `map_async` returns; in a
     /// browser the refusal arrives later and the next call tells.
-    pub(crate) fn device_lost(&self) -> bool {
+    pub(crate) fn device_lost(&self, device: &wgpu::Device) -> bool {
         let verdict = &self.verdict;
         if verdict.lost.load(Ordering::Acquire) {
             return true;
         }
 
-        // Cancel the previous mapping; its answer no longer counts.
+        // Cancel the previous mapping, whose answer no longer counts, and start another one.
         let buffer = self.buffer.lock().unwrap_or_else(PoisonError::into_inner);
         let number = verdict.running.fetch_add(1, Ordering::AcqRel) + 1;
-        buffer.unmap();
-
-        // Start another one and let its own answer decide.
         let answer = Arc::clone(verdict);
-        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            if result.is_err() && answer.running.load(Ordering::Acquire) == number {
-                answer.lost.store(true, Ordering::Release);
+        let mapping = checked(device, "a health probe", || {
+            if number > 1 {
+                buffer.unmap();
             }
+            buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+                if result.is_err() && answer.running.load(Ordering::Acquire) == number {
+                    answer.lost.store(true, Ordering::Release);
+                }
+            });
         });
+
+        // A device that is there maps; whatever else it says comes from its end.
+        if mapping.is_err() {
+            verdict.lost.store(true, Ordering::Release);
+        }
         verdict.lost.load(Ordering::Acquire)
     }
 }

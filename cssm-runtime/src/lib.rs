@@ -1,10 +1,76 @@
-//! The shadow service.
+//! The shadow service: executes generated tables on wgpu.
+//!
+//! A light case is declared once; code generation turns it into a [`CaseTable`](cssm_core::table::CaseTable) with
+//! shaders. Each frame, [`cssm_core::plan`] turns the view and the light into a
+//! [`ShadowPlan`](cssm_core::ShadowPlan): a list of facets. [`ShadowService`] executes both:
+//!
+//! 1. [`features_and_limits`] says what to request a device with;
+//! 2. [`ShadowService::new`] builds the map and the pipelines;
+//! 3. [`ShadowService::add_mesh`] registers geometry in the engine's own buffers and vertex format;
+//! 4. [`ShadowService::prepare`] culls casters for every facet and uploads one view of one frame;
+//! 5. [`ShadowService::capture`] records one render pass that draws all facets into the one map;
+//! 6. [`ShadowService::mask`] records a screen-space pass that writes visibility, or the engine's own material calls
+//!    the generated function with [`PreparedFrame::shadow_bind_group`].
+//!
+//! ```no_run
+//! use cssm_runtime::cssm_core::{Light, SceneBounds, View, case::LightCase, plan, table::CaseTable};
+//! use cssm_runtime::{CasterInstance, MaskInputs, Options, ServiceError, ShadowService, wgpu};
+//!
+//! # fn lookup() -> (wgpu::Device, wgpu::Queue, wgpu::TextureView, wgpu::TextureView) { unimplemented!() }
+//! # fn run(case: &LightCase, table: &CaseTable, view: View, light: Light, casters: &[CasterInstance])
+//! #     -> Result<(), Box<dyn std::error::Error>> {
+//! # let (device, queue, depth, mask) = lookup();
+//! let mut service = ShadowService::new(&device, &queue, table, &Options::default())?;
+//!
+//! // Each frame:
+//! let plan = plan(case, &view, &light, &SceneBounds::default())?;
+//! let frame = service.prepare(&plan, &view, casters)?;
+//! let mut encoder = device.create_command_encoder(&Default::default());
+//! service.capture(&mut encoder, &frame, None)?;
+//! service.mask(&mut encoder, &frame, &MaskInputs { depth: &depth, normal: None }, &mask, None)?;
+//! queue.submit([encoder.finish()]);
+//! println!("{} triangles", frame.statistics().triangles);
+//!
+//! // After a loss:
+//! if service.device_lost() {
+//!     let (device, queue, ..) = lookup();
+//!     service.rebuild(&device, &queue)?;
+//! }
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Main choices
+//!
+//! * **It executes, it does not know.** No line asks which technique made a facet, which filter or bias a case
+//!   declares: the table lists records, bindings and passes, and the service follows the list. Tables written by hand
+//!   work as well; no generator is linked.
+//! * **One pass, one map.** All facets are drawn in one render pass; viewport and scissor confine each to its tile,
+//!   a dynamic offset picks its record. Each facet draws only the casters whose shadows can reach something visible
+//!   in it, one draw for each mesh.
+//! * **Casters stay where they are.** Meshes are ranges of the engine's buffers in the engine's vertex format. The
+//!   eye is subtracted from every transform in f64, so nothing is lost far from the world's origin.
+//! * **Depth in front of a facet is flattened, not clipped.** With [`wgpu::Features::DEPTH_CLIP_CONTROL`] the
+//!   rasteriser does it, otherwise a fragment shader; both draw the same map.
+//! * **Frames do not alias.** Each [`PreparedFrame`] has buffers of its own, which return to a pool once the GPU has
+//!   finished with every encoder that replayed it. Several views may share a submission.
+//! * **Commands are data.** [`FrameCommands`] is a plain list with typed handles, built and tested without a device.
+//! * **The device belongs to the engine.** No device-wide callback is ever set: creation runs under error scopes of
+//!   its own, and a device loss is told by a private mapping ([`ShadowService::device_lost`]).
+//!
+//! # What it refuses to do
+//!
+//! It owns no window, scene or frame graph, records only where it is told to, never waits (except in [`read_back`]),
+//! and does not panic: input that makes no sense is a [`ServiceError`] that says what to change, and what was built
+//! or prepared before stays usable.
+
 mod atlas;
 mod capture;
 mod commands;
 mod cull;
 mod error;
 mod frame;
+mod gpu;
 mod health;
 mod layout;
 mod mesh;

@@ -157,7 +157,7 @@ impl Mesh {
         if corners == 0 || description.vertex_count == 0 {
             return Err(MeshError::Empty);
         }
-        if corners % 3 != 0 {
+        if !corners.is_multiple_of(3) {
             return Err(MeshError::NotTriangles { corners });
         }
         let bounds = description.bounds_object;

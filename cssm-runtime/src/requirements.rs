@@ -1,8 +1,9 @@
 //! What a case needs of a device, known before there is one.
 
-use cssm_core::table::{BindingKind, CaseTable};
+use cssm_core::table::{BindingKind, CaseTable, FieldType, Meaning, Record, RecordField, RecordKind};
 
 use crate::error::ServiceError;
+use crate::layout::incomplete;
 
 /// Features and limits to request a device with.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,6 +87,45 @@ pub(crate) fn check_limits(offered: &wgpu::Limits, table: &CaseTable) -> Result<
         });
     }
     Ok(())
+}
+
+/// Checks that records hold their fields and arrays have the lengths that the selection needs, so that writing a
+/// plan that fits the table stays inside them. Generated tables always pass.
+pub(crate) fn check_records(table: &CaseTable) -> Result<(), ServiceError> {
+    let facet_bytes = table
+        .record(RecordKind::Facet)
+        .map_or(0, |record| record.size_bytes);
+    let (sectors, bands) = (table.sectors, table.bands);
+    let fits = |record: &Record, field: &RecordField| {
+        let (size, elements) = match field.meaning {
+            Meaning::Facets => (facet_bytes, sectors.saturating_mul(bands)),
+            Meaning::Borders | Meaning::Distances => (16, sectors),
+            Meaning::Thresholds => (16, sectors.saturating_mul(bands.saturating_sub(1).div_ceil(4))),
+            _ => (field_bytes(field.ty), 0),
+        };
+        let end = u64::from(field.offset_bytes)
+            + u64::from(field.stride_bytes.max(size)) * u64::from(elements.max(1));
+        elements == field.elements
+            && (elements == 0 || field.stride_bytes >= size)
+            && end <= u64::from(record.size_bytes)
+    };
+    let records = &table.records;
+    let sound = records
+        .iter()
+        .all(|record| record.fields.iter().all(|field| fits(record, field)));
+    if sound && sectors > 0 && bands > 0 {
+        Ok(())
+    } else {
+        Err(incomplete(table, "sound record layout"))
+    }
+}
+
+const fn field_bytes(ty: FieldType) -> u32 {
+    match ty {
+        FieldType::F32 => 4,
+        FieldType::Vec2 => 8,
+        FieldType::Vec4 | FieldType::Facet => 16,
+    }
 }
 
 fn bindings(table: &CaseTable) -> impl Iterator<Item = BindingKind> + '_ {

@@ -2,20 +2,17 @@
 
 use std::sync::Arc;
 
-use cssm_core::table::{CaseTable, GroupContent, ShaderKind};
+use cssm_core::table::{CaseTable, ShaderKind};
 use cssm_core::{ShadowPlan, View};
 
-use crate::atlas::Atlas;
-use crate::capture::{CapturePipelines, VertexKey, capture_shader};
+use crate::capture::VertexKey;
 use crate::commands::FrameCommands;
 use crate::error::ServiceError;
-use crate::frame::{PreparedFrame, SlotLayouts, SlotPool, UniformLayout};
-use crate::health::HealthProbe;
-use crate::layout::{group_layout, required_group, shadow_group};
+use crate::frame::PreparedFrame;
+use crate::gpu::Gpu;
 use crate::mesh::{CasterInstance, Mesh, MeshDescription, MeshError, MeshHandle, is_position_format};
 use crate::read_back;
-use crate::requirements::check_limits;
-use crate::resolve::{MaskInputs, MaskPipeline};
+use crate::resolve::MaskInputs;
 use crate::scope::checked;
 use crate::upload::{check_plan, upload};
 
@@ -48,21 +45,6 @@ pub struct ShadowService {
     options: Options,
     gpu: Gpu,
     meshes: Vec<MeshEntry>,
-}
-
-/// Everything that dies with the device.
-#[derive(Debug)]
-struct Gpu {
-    device: wgpu::Device,
-    queue: wgpu::Queue,
-    atlas: Atlas,
-    layouts: SlotLayouts,
-    capture: CapturePipelines,
-    mask: Option<MaskPipeline>,
-    slots: SlotPool,
-    probe: HealthProbe,
-    /// Tells frames of this device and service from all others.
-    identity: Arc<()>,
 }
 
 #[derive(Debug, Default)]
@@ -116,7 +98,8 @@ impl ShadowService {
             format: description.position_format,
             stride_bytes: description.stride_bytes,
         };
-        let pipeline = self.gpu.capture.handle(&self.gpu.device, key)?;
+        let pipeline = self.gpu.capture.handle(&self.gpu.device, key);
+        let pipeline = self.gpu.alive(pipeline)?;
         let mesh = Mesh::checked(description, &limits, pipeline)?;
 
         // Reuse a free entry.
@@ -170,26 +153,32 @@ impl ShadowService {
             identity,
             ..
         } = &mut self.gpu;
-        let slot = slots.acquire(device, &self.table, layouts, atlas, commands.rows.len())?;
-        checked(device, "a frame's upload", || {
-            upload(
-                queue,
-                &self.table,
-                &layouts.uniforms,
-                &slot,
-                plan,
-                view,
-                &commands,
-            );
-        })?;
-        let frame = PreparedFrame {
-            service: Arc::clone(identity),
+        let rows = commands.rows.len();
+        let slot = slots
+            .acquire(device, &self.table, layouts, atlas, rows)
+            .and_then(|slot| {
+                let write = || {
+                    upload(
+                        queue,
+                        &self.table,
+                        &layouts.uniforms,
+                        &slot,
+                        plan,
+                        view,
+                        &commands,
+                    )
+                };
+                checked(device, "a frame's upload", write)?;
+                Ok(slot)
+            });
+        let service = Arc::clone(identity);
+        let slot = self.gpu.alive(slot)?;
+        Ok(PreparedFrame {
+            service,
             slot,
             commands,
             statistics,
-        };
-        self.gpu.alive()?;
-        Ok(frame)
+        })
     }
 
     /// Records the capture: one render pass into the map, replacing what it held.
@@ -260,7 +249,9 @@ impl ShadowService {
             what: "a mask",
         };
         let mask = mask.as_ref().ok_or_else(not_declared)?;
-        let inputs = mask.bind(device, &self.table, layouts, &frame.slot, inputs)?;
+        let inputs = self
+            .gpu
+            .alive(mask.bind(device, &self.table, layouts, &frame.slot, inputs))?;
         mask.replay(encoder, &self.table, &frame.slot, &inputs, target, timestamps)?;
         keep_until_done(encoder, frame);
         Ok(())
@@ -282,7 +273,8 @@ impl ShadowService {
     /// # Errors
     /// A lost device.
     pub fn read_map(&self) -> Result<Vec<f32>, ServiceError> {
-        let bytes = read_back::texture_bytes(&self.gpu.device, &self.gpu.queue, &self.gpu.atlas.texture)?;
+        let bytes = read_back::texture_bytes(&self.gpu.device, &self.gpu.queue, &self.gpu.atlas.texture);
+        let bytes = self.gpu.alive(bytes)?;
         Ok(match self.gpu.atlas.texture.format() {
             wgpu::TextureFormat::Depth16Unorm => {
                 let stored = bytes
@@ -307,7 +299,7 @@ impl ShadowService {
     /// Whether the device is lost. No callback of the device is touched: a mapping of four bytes tells, at once
     /// natively and one call later in browsers.
     pub fn device_lost(&self) -> bool {
-        self.gpu.probe.device_lost()
+        self.gpu.probe.device_lost(&self.gpu.device)
     }
 
     /// Starts over on another device, after a loss. Meshes and prepared frames of the old device are forgotten and
@@ -341,66 +333,6 @@ impl ShadowService {
             });
         }
         Ok(())
-    }
-}
-
-impl Gpu {
-    fn new(
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        table: &CaseTable,
-        options: &Options,
-    ) -> Result<Self, ServiceError> {
-        let limits = device.limits();
-        check_limits(&limits, table)?;
-        let probe = checked(device, "a health probe", || HealthProbe::new(device))?;
-        if probe.device_lost() {
-            return Err(ServiceError::DeviceLost);
-        }
-
-        // Create layouts first: slots and pipelines share them.
-        let shader = capture_shader(device, table, options.clamp_in_fragments)?;
-        let capture_group = required_group(table, shader, GroupContent::CaptureFacet)?;
-        let (capture, shadow) = checked(device, "bind group layouts", || {
-            let stages = options.material_stages | wgpu::ShaderStages::FRAGMENT;
-            let shadow = shadow_group(table).map(|group| group_layout(device, table, group, stages));
-            (
-                group_layout(device, table, capture_group, wgpu::ShaderStages::VERTEX),
-                shadow,
-            )
-        })?;
-        let uniforms = UniformLayout::new(table, limits.min_uniform_buffer_offset_alignment);
-        let layouts = SlotLayouts {
-            capture,
-            shadow,
-            uniforms,
-        };
-
-        let atlas = checked(device, "the map", || Atlas::new(device, table))?;
-        let capture = CapturePipelines::new(device, table, shader, &layouts.capture)?;
-        let mask = MaskPipeline::new(device, table, &layouts, options.mask_format)?;
-        let gpu = Self {
-            device: device.clone(),
-            queue: queue.clone(),
-            atlas,
-            layouts,
-            capture,
-            mask,
-            slots: SlotPool::default(),
-            probe,
-            identity: Arc::new(()),
-        };
-        gpu.alive()?;
-        Ok(gpu)
-    }
-
-    /// A lost device accepts everything and does nothing: ask before believing in success.
-    fn alive(&self) -> Result<(), ServiceError> {
-        if self.probe.device_lost() {
-            Err(ServiceError::DeviceLost)
-        } else {
-            Ok(())
-        }
     }
 }
 

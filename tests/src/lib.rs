@@ -1,1 +1,3 @@
 //! Cross-crate tests by intent.
+
+pub mod gpu;

@@ -12,7 +12,12 @@ const FAULT_LIMIT: usize = 20;
 
 /// The faults of the text's letters and delimiters; none means that the text can be lexed, odd corners aside.
 pub(super) fn scan(text: &str) -> Vec<Finding> {
-    let mut scan = Scan { text, open: Vec::new(), findings: Vec::new() };
+    let mut scan = Scan {
+        text,
+        open: Vec::new(),
+        suspect: None,
+        findings: Vec::new(),
+    };
     let mut at = 0;
     while let Some(letter) = text.get(at..).and_then(|rest| rest.chars().next()) {
         at = scan.step(at, letter);
@@ -20,16 +25,16 @@ pub(super) fn scan(text: &str) -> Vec<Finding> {
             return scan.findings;
         }
     }
-    for &(open, letter) in scan.open.iter().take(FAULT_LIMIT) {
-        let message = format!("`{letter}` is never closed");
-        scan.findings.push(finding(message, format!("write `{}` where it ends", closing(letter)), open, 1));
-    }
+    scan.blame_open();
     scan.findings
 }
 
 struct Scan<'a> {
     text: &'a str,
+    /// Brackets that are open, outermost first.
     open: Vec<(usize, char)>,
+    /// The first bracket whose partner is indented unlike it, and that partner.
+    suspect: Option<(usize, usize)>,
     findings: Vec<Finding>,
 }
 
@@ -44,14 +49,16 @@ impl Scan<'_> {
             '"' => self.quoted(at),
             '\'' | '`' | '\\' => {
                 let message = format!("`{letter}` does not belong in a declaration");
-                self.findings.push(finding(message, "write names and numbers without quotes", at, 1));
+                self.findings
+                    .push(finding(message, "write names and numbers without quotes", at, 1));
                 next
             }
             '(' | '[' | '{' => {
                 self.open.push((at, letter));
                 if self.open.len() == NESTING_LIMIT + 1 {
                     let message = format!("brackets are nested more than {NESTING_LIMIT} deep");
-                    self.findings.push(finding(message, "remove the outer or inner ones", at, 1));
+                    self.findings
+                        .push(finding(message, "remove the outer or inner ones", at, 1));
                 }
                 next
             }
@@ -61,11 +68,15 @@ impl Scan<'_> {
             }
             _ if !letter.is_ascii() && !(at == 0 && letter == '\u{feff}') => {
                 let (message, remedy) = foreign(letter);
-                self.findings.push(finding(message, remedy, at, letter.len_utf8()));
+                self.findings
+                    .push(finding(message, remedy, at, letter.len_utf8()));
                 next
             }
             _ if letter.is_ascii_control() && !letter.is_ascii_whitespace() => {
-                let message = format!("control character U+{:04X} does not belong in a declaration", u32::from(letter));
+                let message = format!(
+                    "control character U+{:04X} does not belong in a declaration",
+                    u32::from(letter)
+                );
                 self.findings.push(finding(message, "delete it", at, 1));
                 next
             }
@@ -91,7 +102,14 @@ impl Scan<'_> {
                 at += rest.chars().next().map_or(1, char::len_utf8);
             }
         }
-        self.findings.push(finding("the comment is never closed", "write `*/` where it ends", start, 2));
+        self.findings.push(finding(
+            "the comment is never closed",
+            "write `*/` where it ends",
+            start,
+            2,
+        ));
+        // What the comment swallowed is not missing.
+        self.open.clear();
         self.text.len()
     }
 
@@ -106,15 +124,20 @@ impl Scan<'_> {
             }
         }
         let remedy = "write names and numbers without quotes";
-        self.findings.push(finding("the quoted text is never closed", remedy, start, 1));
+        self.findings
+            .push(finding("the quoted text is never closed", remedy, start, 1));
         let rest = &self.text[start..];
         start + rest.find('\n').unwrap_or(rest.len())
     }
 
     fn close(&mut self, at: usize, letter: char) {
         match self.open.last().copied() {
-            Some((_, open)) if closing(open) == letter => {
+            Some((open_at, open)) if closing(open) == letter => {
                 self.open.pop();
+                let (one, two) = (self.line(open_at), self.line(at));
+                if one != two && indent(one) != indent(two) {
+                    self.suspect.get_or_insert((open_at, at));
+                }
             }
             // Take a bracket that closes an outer one as that, and report those in between as never closed.
             Some((open_at, open)) => {
@@ -133,10 +156,47 @@ impl Scan<'_> {
             }
             None => {
                 let message = format!("`{letter}` closes nothing");
-                self.findings.push(finding(message, "delete it, or open its partner before", at, 1));
+                self.findings
+                    .push(finding(message, "delete it, or open its partner before", at, 1));
             }
         }
     }
+
+    /// Reports what is open at the end of the text. A bracket whose partner is indented unlike it has most likely
+    /// taken the partner of the one that is left over.
+    fn blame_open(&mut self) {
+        if let (Some((open, close)), [_, ..]) = (self.suspect, self.open.as_slice()) {
+            let letter = self.text[open..].chars().next().unwrap_or('{');
+            let mut found = never_closed(open, letter);
+            let label = format!("this `{}` stands for another one, by its indent", closing(letter));
+            found.secondary = Some((close..close + 1, label));
+            self.findings.push(found);
+            return;
+        }
+        let open = self.open.iter().take(FAULT_LIMIT);
+        self.findings
+            .extend(open.map(|&(open, letter)| never_closed(open, letter)));
+    }
+
+    /// The line that holds a byte.
+    fn line(&self, at: usize) -> &str {
+        let start = self.text[..at].rfind('\n').map_or(0, |newline| newline + 1);
+        self.text[start..].lines().next().unwrap_or("")
+    }
+}
+
+fn indent(line: &str) -> usize {
+    line.len() - line.trim_start().len()
+}
+
+fn never_closed(open: usize, letter: char) -> Finding {
+    let message = format!("`{letter}` is never closed");
+    finding(
+        message,
+        format!("write `{}` where it ends", closing(letter)),
+        open,
+        1,
+    )
 }
 
 fn closing(open: char) -> char {
@@ -153,17 +213,31 @@ fn foreign(letter: char) -> (String, String) {
         '\u{d7}' | '\u{2715}' => "write the letter `x`: `2048 x 2048`",
         '\u{2212}' | '\u{2010}'..='\u{2015}' => "write `-` or `_`",
         '\u{2018}'..='\u{201f}' => "write names and numbers without quotes",
-        '\u{a0}' | '\u{2000}'..='\u{200b}' | '\u{202f}' | '\u{3000}' | '\u{feff}' => "write an ordinary space",
+        '\u{a0}' | '\u{2000}'..='\u{200b}' | '\u{202f}' | '\u{3000}' | '\u{feff}' => {
+            "write an ordinary space"
+        }
         _ => "use ASCII letters; only comments may hold others",
     };
-    let shown = if letter.is_whitespace() || letter.is_control() || ('\u{200b}'..='\u{200f}').contains(&letter) {
-        String::new()
-    } else {
-        format!("`{letter}` ")
-    };
-    (format!("{shown}(U+{:04X}) does not belong in a declaration", u32::from(letter)), remedy.into())
+    let shown =
+        if letter.is_whitespace() || letter.is_control() || ('\u{200b}'..='\u{200f}').contains(&letter) {
+            String::new()
+        } else {
+            format!("`{letter}` ")
+        };
+    (
+        format!(
+            "{shown}(U+{:04X}) does not belong in a declaration",
+            u32::from(letter)
+        ),
+        remedy.into(),
+    )
 }
 
 fn finding(message: impl Into<String>, remedy: impl Into<String>, start: usize, length: usize) -> Finding {
-    Finding { message: message.into(), remedy: remedy.into(), bytes: start..start + length, secondary: None }
+    Finding {
+        message: message.into(),
+        remedy: remedy.into(),
+        bytes: start..start + length,
+        secondary: None,
+    }
 }

@@ -25,8 +25,8 @@ pub(super) enum NodeKind {
     Number(NumberNode),
     /// `width x height`.
     Size(NumberNode, NumberNode),
-    /// `[..]`; entries that could not be read are left out.
-    List(Vec<Node>),
+    /// `[..]`; absent entries could not be read.
+    List(Vec<Option<Node>>),
     /// `{ .. }`.
     Group(Vec<Entry>),
 }
@@ -65,7 +65,10 @@ pub(super) struct Entry {
 /// The entries of a group in braces or parentheses.
 pub(super) fn entries(stream: TokenStream, depth: usize, faults: &mut Faults) -> Vec<Entry> {
     let tokens = flat(stream);
-    pieces(&tokens, true, faults).into_iter().map(|piece| entry(piece, depth, faults)).collect()
+    pieces(&tokens, true, faults)
+        .into_iter()
+        .map(|piece| entry(piece, depth, faults))
+        .collect()
 }
 
 /// The tokens without the invisible groups that macros put around what they insert.
@@ -93,11 +96,19 @@ fn pieces<'a>(tokens: &'a [TokenTree], named: bool, faults: &mut Faults) -> Vec<
             if is_punct(Some(token), ';') {
                 faults.push(token.span(), "entries are not separated by `;`", "write `,`");
             } else if start == index {
-                faults.push(token.span(), "nothing stands before the comma", "delete the comma");
+                faults.push(
+                    token.span(),
+                    "nothing stands before the comma",
+                    "delete the comma",
+                );
             }
             pieces.push(&tokens[start..index]);
             start = index + 1;
-        } else if named && index > start && is_field_name(&tokens[index..]) && !is_field_name(&tokens[index - 1..]) {
+        } else if named
+            && index > start
+            && is_field_name(&tokens[index..])
+            && !is_punct(tokens.get(index - 1), ':')
+        {
             let message = format!("a comma is missing before `{token}`");
             faults.push(token.span(), message, "write `,` between entries");
             pieces.push(&tokens[start..index]);
@@ -119,9 +130,15 @@ fn is_field_name(tokens: &[TokenTree]) -> bool {
 fn entry(piece: &[TokenTree], depth: usize, faults: &mut Faults) -> Entry {
     let span = joined(piece);
     let (name, value) = match piece {
-        [TokenTree::Ident(name), TokenTree::Punct(sign), value @ ..] if matches!(sign.as_char(), ':' | '=') => {
+        [TokenTree::Ident(name), TokenTree::Punct(sign), value @ ..]
+            if matches!(sign.as_char(), ':' | '=') =>
+        {
             if sign.as_char() == '=' {
-                faults.push(sign.span(), format!("`{name}` is followed by `=`"), format!("write `{name}: `"));
+                faults.push(
+                    sign.span(),
+                    format!("`{name}` is followed by `=`"),
+                    format!("write `{name}:`"),
+                );
             }
             (Some((name.to_string(), name.span())), value)
         }
@@ -129,24 +146,48 @@ fn entry(piece: &[TokenTree], depth: usize, faults: &mut Faults) -> Entry {
     };
     match (&name, value) {
         (Some((name, span)), []) => {
-            faults.push(*span, format!("field `{name}` has no value"), "write one after the colon");
-            Entry { name: Some((name.clone(), *span)), value: None, span: *span }
+            faults.push(
+                *span,
+                format!("field `{name}` has no value"),
+                "write one after the colon",
+            );
+            Entry {
+                name: Some((name.clone(), *span)),
+                value: None,
+                span: *span,
+            }
         }
-        _ => Entry { value: node(value, depth, faults), name, span },
+        _ => Entry {
+            value: node(value, depth, faults),
+            name,
+            span,
+        },
     }
 }
 
 /// Reads one value from tokens that are not empty.
 fn node(tokens: &[TokenTree], depth: usize, faults: &mut Faults) -> Option<Node> {
     let (kind, rest) = match tokens {
-        [TokenTree::Ident(name), TokenTree::Group(group), rest @ ..] if group.delimiter() != Delimiter::Bracket => {
+        [TokenTree::Ident(name), TokenTree::Group(group), rest @ ..]
+            if group.delimiter() != Delimiter::Bracket =>
+        {
             let arguments = nested(group, depth, faults)?;
             let positional = group.delimiter() == Delimiter::Parenthesis;
-            let word = WordNode { name: name.to_string(), span: name.span(), arguments, positional };
+            let word = WordNode {
+                name: name.to_string(),
+                span: name.span(),
+                arguments,
+                positional,
+            };
             (NodeKind::Word(word), rest)
         }
         [TokenTree::Ident(name), rest @ ..] => {
-            let word = WordNode { name: name.to_string(), span: name.span(), arguments: vec![], positional: false };
+            let word = WordNode {
+                name: name.to_string(),
+                span: name.span(),
+                arguments: vec![],
+                positional: false,
+            };
             (NodeKind::Word(word), rest)
         }
         [TokenTree::Group(group), rest @ ..] => match group.delimiter() {
@@ -154,7 +195,10 @@ fn node(tokens: &[TokenTree], depth: usize, faults: &mut Faults) -> Option<Node>
                 let depth = deeper(group, depth, faults)?;
                 let tokens = flat(group.stream());
                 let entries = pieces(&tokens, false, faults).into_iter();
-                (NodeKind::List(entries.filter_map(|piece| node(piece, depth, faults)).collect()), rest)
+                (
+                    NodeKind::List(entries.map(|piece| node(piece, depth, faults)).collect()),
+                    rest,
+                )
             }
             Delimiter::Brace => (NodeKind::Group(nested(group, depth, faults)?), rest),
             _ => {
@@ -172,17 +216,28 @@ fn node(tokens: &[TokenTree], depth: usize, faults: &mut Faults) -> Option<Node>
                 '.' => format!("write `0.{digits}`"),
                 _ => format!("write `{digits}`"),
             };
-            faults.push(dot.span(), format!("a number cannot begin with `{}`", dot.as_char()), remedy);
+            faults.push(
+                dot.span(),
+                format!("a number cannot begin with `{}`", dot.as_char()),
+                remedy,
+            );
             return None;
         }
         [other, ..] => {
-            faults.push(other.span(), format!("a value cannot begin with `{other}`"), "write a name or a number");
+            faults.push(
+                other.span(),
+                format!("a value cannot begin with `{other}`"),
+                "write a name or a number",
+            );
             return None;
         }
         [] => return None,
     };
     match rest {
-        [] => Some(Node { span: joined(tokens), kind }),
+        [] => Some(Node {
+            span: joined(tokens),
+            kind,
+        }),
         [first, ..] => {
             leftover(first, rest, &kind, faults);
             None
@@ -193,43 +248,56 @@ fn node(tokens: &[TokenTree], depth: usize, faults: &mut Faults) -> Option<Node>
 /// Reads `20`, `20 m`, `20m`, `2048 x 2048`, `2048x2048` and what lies between.
 fn number_or_size<'a>(tokens: &'a [TokenTree], faults: &mut Faults) -> Option<(NodeKind, &'a [TokenTree])> {
     let (first, suffix, rest) = number(tokens, faults)?;
-    let next = match rest {
-        [TokenTree::Ident(next), ..] if suffix.is_empty() => next.to_string(),
-        _ => String::new(),
-    };
 
     // The height may be glued to the width, to the `x`, or stand alone.
-    let (glued, rest) = if suffix.is_empty() { (next.as_str(), rest.get(1..).unwrap_or(&[])) } else { (suffix.as_str(), rest) };
-    if let Some(height) = glued.strip_prefix('x')
-        && (height.is_empty() || height.starts_with(|digit: char| digit.is_ascii_digit()))
+    let (glued, behind) = match rest {
+        [TokenTree::Ident(next), behind @ ..] if suffix.is_empty() => (next.to_string(), behind),
+        _ => (suffix.clone(), rest),
+    };
+    let Some(height) = glued
+        .strip_prefix('x')
+        .filter(|height| !height.starts_with(char::is_alphabetic))
+    else {
+        let (number, rest) = with_unit(first, suffix, rest);
+        return Some((NodeKind::Number(number), rest));
+    };
+    let before = &tokens[..tokens.len() - behind.len()];
+    let (height, suffix, rest) = if height.starts_with(|digit: char| digit.is_ascii_digit()) {
+        let span = before.last().map_or(first.span, TokenTree::span);
+        let (height, suffix) = literal(height, false, span, faults)?;
+        (height, suffix, behind)
+    } else if height.is_empty()
+        && matches!(
+            behind,
+            [TokenTree::Literal(_), ..] | [TokenTree::Punct(_), TokenTree::Literal(_), ..]
+        )
     {
-        let before = &tokens[..tokens.len() - rest.len()];
-        let (height, suffix, rest) = if !height.is_empty() {
-            let span = before.last().map_or(first.span, TokenTree::span);
-            let (height, suffix) = literal(height, false, span, faults)?;
-            (height, suffix, rest)
-        } else if matches!(rest, [TokenTree::Literal(_), ..] | [TokenTree::Punct(_), TokenTree::Literal(_), ..]) {
-            number(rest, faults)?
-        } else {
-            faults.push(joined(before), "the size has no height", "write both sides, such as `2048 x 2048`");
-            return None;
-        };
-        let (height, rest) = with_unit(height, suffix, rest);
-        return Some((NodeKind::Size(first, height), rest));
-    }
-
-    let rest = &tokens[tokens.len() - rest.len() - usize::from(!next.is_empty())..];
-    let (number, rest) = with_unit(first, suffix, rest);
-    Some((NodeKind::Number(number), rest))
+        number(behind, faults)?
+    } else {
+        faults.push(
+            joined(before),
+            "the size has no height",
+            "write both sides, such as `2048 x 2048`",
+        );
+        return None;
+    };
+    let (height, rest) = with_unit(height, suffix, rest);
+    Some((NodeKind::Size(first, height), rest))
 }
 
 /// Reads a sign and a literal; the suffix stays aside.
 fn number<'a>(tokens: &'a [TokenTree], faults: &mut Faults) -> Option<(NumberNode, String, &'a [TokenTree])> {
     let (negative, token, rest) = match tokens {
-        [TokenTree::Punct(sign), TokenTree::Literal(token), rest @ ..] if sign.as_char() == '-' => (true, token, rest),
+        [TokenTree::Punct(sign), TokenTree::Literal(token), rest @ ..] if sign.as_char() == '-' => {
+            (true, token, rest)
+        }
         [TokenTree::Literal(token), rest @ ..] => (false, token, rest),
         [other, ..] => {
-            faults.push(other.span(), format!("`{other}` does not belong here"), "write a number");
+            faults.push(
+                other.span(),
+                format!("`{other}` does not belong here"),
+                "write a number",
+            );
             return None;
         }
         [] => return None,
@@ -241,7 +309,12 @@ fn number<'a>(tokens: &'a [TokenTree], faults: &mut Faults) -> Option<(NumberNod
 
 fn literal(text: &str, negative: bool, span: Span, faults: &mut Faults) -> Option<(NumberNode, String)> {
     match Literal::split(text) {
-        Ok(Literal { digits, value, whole, suffix }) => {
+        Ok(Literal {
+            digits,
+            value,
+            whole,
+            suffix,
+        }) => {
             let number = NumberNode {
                 text: if negative { format!("-{digits}") } else { digits },
                 value: if negative { -value } else { value },
@@ -278,7 +351,9 @@ fn with_unit(mut number: NumberNode, suffix: String, rest: &[TokenTree]) -> (Num
 fn leftover(first: &TokenTree, rest: &[TokenTree], kind: &NodeKind, faults: &mut Faults) {
     let message = format!("`{}` does not belong here", shown(first));
     let remedy = match (kind, rest) {
-        (NodeKind::Word(word), [TokenTree::Punct(dash), TokenTree::Ident(next), ..]) if dash.as_char() == '-' => {
+        (NodeKind::Word(word), [TokenTree::Punct(dash), TokenTree::Ident(next), ..])
+            if dash.as_char() == '-' =>
+        {
             format!("join the parts of a name by `_`: `{}_{next}`", word.name)
         }
         (NodeKind::Number(width), [TokenTree::Punct(star), TokenTree::Literal(height), ..])

@@ -30,6 +30,7 @@ fn reconstructed_normal(pixel: vec2<i32>, ray: vec3<f32>, inverse_depth: f32) ->
     // Cross the two tangents of ray / inverse_depth; this sum is free of divisions.
     let across = mask.ray_across.xyz;
     let down = mask.ray_down.xyz;
-    let normal = inverse_depth * cross(across, down) + across_slope * cross(down, ray) + down_slope * cross(ray, across);
+    let level = inverse_depth * cross(across, down);
+    let normal = level + across_slope * cross(down, ray) + down_slope * cross(ray, across);
     return normalize(select(normal, -normal, dot(normal, ray) > 0.0));
 }

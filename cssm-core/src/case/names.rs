@@ -18,7 +18,9 @@ pub(super) fn is_prefix(prefix: &str) -> bool {
         && prefix.ends_with(|last: char| last.is_ascii_lowercase())
         && !prefix.contains("__")
         && prefix.len() <= NAME_LIMIT
-        && prefix.chars().all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_')
+        && prefix
+            .chars()
+            .all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_')
 }
 
 /// Snake case of an upper camel case name; a trailing digit is followed by `_case`.
@@ -38,7 +40,9 @@ pub(super) fn default_prefix(name: &str) -> String {
         prefix.push_str("_case");
     }
     prefix.truncate(NAME_LIMIT);
-    prefix.trim_end_matches(|last: char| !last.is_ascii_lowercase()).into()
+    prefix
+        .trim_end_matches(|last: char| !last.is_ascii_lowercase())
+        .into()
 }
 
 /// The nearest case name to something that is not one: `my_sun` gives `MySun`.
@@ -46,8 +50,17 @@ pub(super) fn upper_camel(name: &str) -> String {
     let words = name.split(|letter: char| !letter.is_ascii_alphanumeric());
     let capital = |word: &str| -> String {
         let mut letters = word.chars();
-        letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters).collect()
+        letters
+            .next()
+            .map(|first| first.to_ascii_uppercase())
+            .into_iter()
+            .chain(letters)
+            .collect()
     };
     let camel: String = words.map(capital).collect();
-    if is_camel_case(&camel) { camel } else { "Sun".into() }
+    if is_camel_case(&camel) {
+        camel
+    } else {
+        "Sun".into()
+    }
 }

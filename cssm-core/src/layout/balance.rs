@@ -24,7 +24,7 @@ pub(super) fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Tile>,
         let along = f64::from(if *upright { area.height } else { area.width });
         let wishes: Vec<Wish> =
             fits.iter().zip(&areas).map(|(fit, area)| fit.wish(*area, *upright)).collect();
-        let (partition, _) = strips::partition(&wishes, along, area.strips);
+        let partition = strips::partition(&wishes, along, area.strips);
         balance(&fits, &partition, &mut areas, along, gutters, *upright);
         let Some(tiles) = strips::tiles(&partition, &areas, area, *upright) else { continue };
         let score = score(demands, &fits, &tiles);
@@ -122,30 +122,40 @@ fn score(demands: &[TileDemand], fits: &[Fit<'_>], tiles: &[Tile]) -> f64 {
 
 /// Power mean of the texels' major axes in pixels.
 fn mean_footprint(samples: &[Gram], width: f64, height: f64) -> f64 {
-    let sum: f64 = samples.iter().map(|sample| sample.major_pixels(width, height).powi(POWER)).sum();
-    libm::pow((sum / samples.len().max(1) as f64).max(f64::MIN_POSITIVE), 1.0 / f64::from(POWER))
+    power_mean(samples.iter().map(|sample| sample.major_pixels_squared(width, height)))
+}
+
+/// Power mean of lengths given squared.
+fn power_mean(squares: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = squares.len().max(1) as f64;
+    let sum: f64 = squares.map(|square| square.powi(POWER / 2)).sum();
+    libm::pow((sum / count).max(f64::MIN_POSITIVE), 1.0 / f64::from(POWER))
 }
 
 /// Height / width that makes the mean footprint smallest at equal area, by golden section in its logarithm.
 fn best_aspect(samples: &[Gram]) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    const STEPS: u32 = 12;
-    let mean = |value: fn(&Gram) -> f64| {
-        let sum: f64 = samples.iter().map(|sample| value(sample).powi(POWER / 2)).sum();
-        libm::pow((sum / samples.len().max(1) as f64).max(f64::MIN_POSITIVE), 1.0 / f64::from(POWER))
-    };
-    let start = libm::log(mean(|sample| sample.yy) / mean(|sample| sample.xx));
+    const STEPS: u32 = 10;
+    const REACH: f64 = 1.2;
+    let (up, across) =
+        (power_mean(samples.iter().map(|sample| sample.yy)), power_mean(samples.iter().map(|sample| sample.xx)));
+    let start = libm::log(up / across);
     let footprint = |logarithm: f64| {
         let side = libm::exp(0.5 * logarithm);
         mean_footprint(samples, 1.0 / side, side)
     };
-    let (mut low, mut high) = (start - 1.5, start + 1.5);
+    let (mut low, mut high) = (start - REACH, start + REACH);
+    let (mut one, mut two) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut at_one, mut at_two) = (footprint(one), footprint(two));
     for _ in 0..STEPS {
-        let (one, two) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-        if footprint(one) < footprint(two) {
-            high = two;
+        if at_one < at_two {
+            (high, two, at_two) = (two, one, at_one);
+            one = high - GOLDEN * (high - low);
+            at_one = footprint(one);
         } else {
-            low = one;
+            (low, one, at_one) = (one, two, at_two);
+            two = low + GOLDEN * (high - low);
+            at_two = footprint(two);
         }
     }
     libm::exp(0.5 * (low + high))

@@ -15,28 +15,35 @@ pub(super) type Partition = Vec<Vec<usize>>;
 
 /// Splits the wishes, ordered by width, into strips so that widths differ least from those wished. `length` is the
 /// strips' length; `count` their number, if declared. Cost is the area-weighted squared logarithm of the misfit.
-pub(super) fn partition(wishes: &[Wish], length: f64, count: Option<u32>) -> (Partition, f64) {
+pub(super) fn partition(wishes: &[Wish], length: f64, count: Option<u32>) -> Partition {
     let mut order: Vec<usize> = (0..wishes.len()).collect();
     order.sort_by(|one, two| wishes[*two].across.total_cmp(&wishes[*one].across).then(one.cmp(two)));
+
+    // Cost of a strip of neighbours, from running sums of area, area log(width) and area log(width)^2.
+    let mut sums = vec![(0.0, 0.0, 0.0)];
+    for index in &order {
+        let (wish, last) = (&wishes[*index], sums[sums.len() - 1]);
+        let logarithm = libm::log(wish.across);
+        let weighted = wish.area * logarithm;
+        sums.push((last.0 + wish.area, last.1 + weighted, last.2 + weighted * logarithm));
+    }
     let cost = |from: usize, to: usize| -> f64 {
-        let members = &order[from..to];
-        let across = members.iter().map(|index| wishes[*index].area).sum::<f64>() / length;
-        let misfit = |index: &usize| {
-            let logarithm = libm::log(across / wishes[*index].across);
-            wishes[*index].area * logarithm * logarithm
-        };
-        members.iter().map(misfit).sum()
+        let (start, end) = (sums[from], sums[to]);
+        let (area, first, second) = (end.0 - start.0, end.1 - start.1, end.2 - start.2);
+        let across = libm::log(area / length);
+        (area * across - 2.0 * first) * across + second
     };
 
     // best[s][i]: least cost of the first i tiles in s strips.
     let tiles = wishes.len();
     let strips = count.map_or(tiles, |count| (count as usize).min(tiles));
+    let costs: Vec<Vec<f64>> = (0..=tiles).map(|to| (0..to).map(|from| cost(from, to)).collect()).collect();
     let mut best = vec![vec![(f64::INFINITY, 0); tiles + 1]; strips + 1];
     best[0][0].0 = 0.0;
     for strip in 1..=strips {
         for to in 1..=tiles {
             for from in 0..to {
-                let total = best[strip - 1][from].0 + cost(from, to);
+                let total = best[strip - 1][from].0 + costs[to][from];
                 if total < best[strip][to].0 {
                     best[strip][to] = (total, from);
                 }
@@ -46,7 +53,6 @@ pub(super) fn partition(wishes: &[Wish], length: f64, count: Option<u32>) -> (Pa
     let fewest = if count.is_some() { strips } else { 1 };
     let chosen = (fewest..=strips).min_by(|one, two| best[*one][tiles].0.total_cmp(&best[*two][tiles].0));
     let mut strip = chosen.unwrap_or(0);
-    let cost = best[strip][tiles].0;
     let mut parts = Vec::with_capacity(strip);
     let mut to = tiles;
     while strip > 0 {
@@ -55,7 +61,7 @@ pub(super) fn partition(wishes: &[Wish], length: f64, count: Option<u32>) -> (Pa
         (to, strip) = (from, strip - 1);
     }
     parts.reverse();
-    (parts, cost)
+    parts
 }
 
 /// Whole-texel tiles of a partition: strips side by side across the map, tiles end to end along each. `None` when the

@@ -18,6 +18,9 @@ const RECEIVER_PLANE_TEXELS: f64 = 0.5;
 /// Larger texel axes kept free before and behind the receivers, so that reference planes extended to neighbouring
 /// texels do not clamp.
 const PLANE_EXTENSION_TEXELS: f64 = 2.0;
+/// Receivers so deep that the whole facet spans less than 1 / this many pixels at their depth need no depth of their own:
+/// they lie that close to the light's own direction, or its opposite, as seen from the eye.
+const FARTHEST_PIXELS: f64 = 2.0;
 /// Tangent of the steepest surface that keeps room for a slope bias.
 const STEEPEST_SLOPE: f64 = 20.0;
 
@@ -32,7 +35,9 @@ pub(super) fn finish(window: Window<'_>, tile: Tile, situation: &Situation<'_>) 
     let texels = TexelsPerW::measure(&rows, &tile, &window.samples);
     let margin = PLANE_EXTENSION_TEXELS * texels.major + bias_metres_per_w(situation.case, &texels, &window);
     let receivers = &window.draft.receivers;
-    let depth = depth_row(rows.w, situation.light, receivers, margin).ok_or(PlanError::Degenerate {
+    let width = texels.major * f64::from(tile.width.max(tile.height));
+    let farthest = FARTHEST_PIXELS * situation.view.pixels_per_tangent() * width;
+    let depth = depth_row(rows.w, situation.light, receivers, margin, farthest).ok_or(PlanError::Degenerate {
         facet: window.draft.index,
         why: "its receivers have no extent along the light",
     })?;

@@ -9,7 +9,7 @@ use crate::samples;
 use crate::technique::{Draft, FacetDraft, Situation};
 
 /// Sample receivers of a view.
-const SAMPLES: usize = 2048;
+const SAMPLES: usize = 1024;
 /// Fewest samples of a facet; the rest come from its own polytope.
 const FEWEST_SAMPLES: usize = 24;
 /// Extent in x/w or y/w, relative to its size, below which a facet holds no receivers of any area.

@@ -19,7 +19,12 @@ impl Kind {
     /// # Errors
     /// The fault: a value out of range, an empty list, a repeated name or a value of another kind.
     pub fn check(&self, value: &Value) -> Result<(), Fault> {
-        let fault = |message: String| Err(Fault { message, remedy: format!("use {self}") });
+        let fault = |message: String| {
+            Err(Fault {
+                message,
+                remedy: format!("use {self}"),
+            })
+        };
         match (self, value) {
             (Self::Count { min, max } | Self::AutoOrCount { min, max }, Value::Count(count)) => {
                 if count < min {
@@ -33,14 +38,26 @@ impl Kind {
             (Self::AutoOrCount { .. }, Value::Word(word)) if word.name == "auto" => Ok(()),
             (Self::Number { .. }, Value::Count(count)) => self.check(&Value::Number(f64::from(*count))),
             (Self::Number { min, max, open, unit }, Value::Number(number)) => {
-                let inside = if *open { number > min && number < max } else { number >= min && number <= max };
-                if inside { Ok(()) } else { fault(format!("{} is out of range", Quantity(*number, *unit))) }
+                let inside = if *open {
+                    number > min && number < max
+                } else {
+                    number >= min && number <= max
+                };
+                if inside {
+                    Ok(())
+                } else {
+                    fault(format!("{} is out of range", Quantity(*number, *unit)))
+                }
             }
             (Self::Size { min, max }, Value::Size(width, height)) => {
                 if width.min(height) < min {
-                    fault(format!("{width} x {height} is below the smallest side, {min} texels"))
+                    fault(format!(
+                        "{width} x {height} is below the smallest side, {min} texels"
+                    ))
                 } else if width.max(height) > max {
-                    fault(format!("{width} x {height} is above the largest side, {max} texels"))
+                    fault(format!(
+                        "{width} x {height} is above the largest side, {max} texels"
+                    ))
                 } else {
                     Ok(())
                 }
@@ -50,12 +67,18 @@ impl Kind {
                     return fault("the list is empty".into());
                 }
                 let side = Self::Size { min: *min, max: *max };
-                sizes.iter().try_for_each(|(width, height)| side.check(&Value::Size(*width, *height)))
+                sizes
+                    .iter()
+                    .try_for_each(|(width, height)| side.check(&Value::Size(*width, *height)))
             }
-            (Self::ChoiceList(_), Value::Words(words)) if words.is_empty() => fault("the list is empty".into()),
+            (Self::ChoiceList(_), Value::Words(words)) if words.is_empty() => {
+                fault("the list is empty".into())
+            }
             (Self::ChoiceList(_), Value::Words(words)) => {
                 let twice = (1..words.len()).find(|&index| {
-                    words[..index].iter().any(|earlier| earlier.name == words[index].name)
+                    words[..index]
+                        .iter()
+                        .any(|earlier| earlier.name == words[index].name)
                 });
                 match twice {
                     Some(index) => Err(Fault {
@@ -65,9 +88,9 @@ impl Kind {
                     None => Ok(()),
                 }
             }
-            (Self::Choice(_), Value::Word(_)) | (Self::Group(_), Value::Group(_)) | (Self::Prefix, Value::Name(_)) => {
-                Ok(())
-            }
+            (Self::Choice(_), Value::Word(_))
+            | (Self::Group(_), Value::Group(_))
+            | (Self::Prefix, Value::Name(_)) => Ok(()),
             _ => fault("the value has the wrong kind".into()),
         }
     }
@@ -81,26 +104,41 @@ impl fmt::Display for Kind {
             Self::AutoOrCount { min, max } => write!(out, "`auto` or a whole number from {min} to {max}"),
             Self::Number { min, max, open, unit } => {
                 let noun = match unit {
-                    Unit::None => "a number",
+                    Unit::None | Unit::Texels => "a number",
                     Unit::Length => "a length",
-                    Unit::Texels => "a number of texels",
                 };
                 match (max.is_finite(), open) {
                     (false, true) => write!(out, "{noun} above {}", Quantity(*min, *unit)),
                     (false, false) => write!(out, "{noun} of at least {}", Quantity(*min, *unit)),
                     (true, true) => {
-                        write!(out, "{noun} between {} and {}", Quantity(*min, *unit), Quantity(*max, *unit))
+                        write!(
+                            out,
+                            "{noun} between {} and {}",
+                            Quantity(*min, *unit),
+                            Quantity(*max, *unit)
+                        )
                     }
                     (true, false) => {
-                        write!(out, "{noun} from {} to {}", Quantity(*min, *unit), Quantity(*max, *unit))
+                        write!(
+                            out,
+                            "{noun} from {} to {}",
+                            Quantity(*min, *unit),
+                            Quantity(*max, *unit)
+                        )
                     }
                 }
             }
             Self::Size { min, max } => {
-                write!(out, "a size such as `2048 x 2048` with sides of {min} to {max} texels")
+                write!(
+                    out,
+                    "a size such as `2048 x 2048` with sides of {min} to {max} texels"
+                )
             }
             Self::SizeList { min, max } => {
-                write!(out, "a list such as `[1024 x 1024, 512 x 512]` with sides of {min} to {max} texels")
+                write!(
+                    out,
+                    "a list such as `[1024 x 1024, 512 x 512]` with sides of {min} to {max} texels"
+                )
             }
             Self::Choice(choices) => {
                 out.write_str(if choices.len() > 1 { "one of " } else { "" })?;
@@ -123,8 +161,16 @@ impl fmt::Display for Quantity {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(number, unit) = self;
         // Powers of ten that fill a line of zeros are easier to read as such.
-        if number.abs() >= 1e7 { write!(out, "{number:e}")? } else { write!(out, "{number}")? }
-        if unit.base_name().is_empty() { Ok(()) } else { write!(out, " {}", unit.base_name()) }
+        if number.abs() >= 1e7 {
+            write!(out, "{number:e}")?
+        } else {
+            write!(out, "{number}")?
+        }
+        if unit.base_name().is_empty() {
+            Ok(())
+        } else {
+            write!(out, " {}", unit.base_name())
+        }
     }
 }
 

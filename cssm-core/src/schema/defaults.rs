@@ -18,7 +18,9 @@ pub fn fill(fields: &'static [Field], arguments: &Arguments) -> Arguments {
 impl Field {
     /// The value that stands when the field is left out.
     pub fn default_value(&self) -> Option<Value> {
-        let Default::Value(text) = self.default else { return None };
+        let Default::Value(text) = self.default else {
+            return None;
+        };
         match self.kind {
             Kind::Count { .. } => text.parse().ok().map(Value::Count),
             Kind::AutoOrCount { .. } if text == "auto" => Some(Value::Word(Word::plain("auto"))),
@@ -33,7 +35,9 @@ impl Field {
             }
             Kind::Choice(choices) => default_word(choices, text).map(Value::Word),
             Kind::ChoiceList(choices) => {
-                let words = entries(text).into_iter().filter_map(|entry| default_word(choices, entry));
+                let words = entries(text)
+                    .into_iter()
+                    .filter_map(|entry| default_word(choices, entry));
                 Some(Value::Words(words.collect()))
             }
             Kind::Group(fields) => Some(Value::Group(fill(fields, &Arguments::default()))),
@@ -58,7 +62,10 @@ fn complete(kind: &Kind, value: &Value) -> Value {
 
 fn complete_word(choices: &'static [Choice], word: &Word) -> Word {
     match Choice::find(choices, word.name) {
-        Some(choice) => Word { name: choice.name, arguments: fill(choice.arguments, &word.arguments) },
+        Some(choice) => Word {
+            name: choice.name,
+            arguments: fill(choice.arguments, &word.arguments),
+        },
         None => word.clone(),
     }
 }
@@ -80,5 +87,9 @@ fn entries(text: &str) -> Vec<&str> {
         }
         letter == ',' && depth == 0
     };
-    text.trim_start_matches('[').trim_end_matches(']').split(split).map(str::trim).collect()
+    text.trim_start_matches('[')
+        .trim_end_matches(']')
+        .split(split)
+        .map(str::trim)
+        .collect()
 }

@@ -2,22 +2,13 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{CaseTable, FieldType, Meaning, Record, RecordKind};
+use super::{CaseTable, Meaning, Record, RecordKind};
 use crate::facet::Facet;
 use crate::plan::ShadowPlan;
 use crate::view::View;
 
 /// Largest float below infinity: no distance reaches it.
 const UNREACHED: f32 = f32::MAX;
-
-/// How the engine stores depth for the mask pass.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum MaskDepthInput {
-    /// Reversed-z of the view's own near and far planes.
-    ReversedZ,
-    /// Metres along the view axis.
-    Linear,
-}
 
 /// Bytes of the record of kind [`RecordKind::Shadow`]; facets without receivers are zero.
 pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
@@ -45,7 +36,7 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
             Meaning::Facets => {
                 let Some(facet_record) = facet_record else { continue };
                 for facet in &plan.facets {
-                    write_facet(&mut bytes, offset + facet.index as usize * stride, facet_record, facet, table);
+                    write_facet(&mut bytes, offset + facet.index as usize * stride, facet_record, facet);
                 }
             }
             _ => {}
@@ -58,7 +49,7 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
 pub fn write_capture_record(table: &CaseTable, facet: &Facet) -> Vec<u8> {
     let Some(record) = table.record(RecordKind::Capture) else { return Vec::new() };
     let mut bytes = vec![0; record.size_bytes as usize];
-    write_facet(&mut bytes, 0, record, facet, table);
+    write_facet(&mut bytes, 0, record, facet);
     bytes
 }
 
@@ -88,8 +79,7 @@ pub fn write_mask_record(table: &CaseTable, view: &View) -> Vec<u8> {
     bytes
 }
 
-fn write_facet(bytes: &mut [u8], base: usize, record: &Record, facet: &Facet, table: &CaseTable) {
-    let _ = table;
+fn write_facet(bytes: &mut [u8], base: usize, record: &Record, facet: &Facet) {
     let tile = &facet.tile;
     let (x, y) = (f64::from(tile.x), f64::from(tile.y));
     let (width, height) = (f64::from(tile.width), f64::from(tile.height));
@@ -105,20 +95,14 @@ fn write_facet(bytes: &mut [u8], base: usize, record: &Record, facet: &Facet, ta
                 put_row(bytes, offset, transform);
             }
             Meaning::TexelLimits => {
-                // Taps reach one texel centre past the receiver: keep half a texel plus one ulp inside.
-                let margin = if tile.gutter == 0 { 0.001 } else { 0.51 };
-                put_row(
-                    bytes,
-                    offset,
-                    DVec4::new(x + margin, y + margin, x + width - margin, y + height - margin),
-                );
+                let (low, high) = tile.texel_limits();
+                put_row(bytes, offset, DVec4::new(low.x, low.y, high.x, high.y));
             }
             Meaning::DepthPerMetre => put(bytes, offset, facet.depth_per_metre as f32),
             Meaning::TexelMetresPerW => put(bytes, offset, facet.texel_metres_per_w as f32),
             Meaning::ReceiverPlaneDepth => put(bytes, offset, facet.receiver_plane_depth as f32),
             _ => {}
         }
-        debug_assert!(field.ty != FieldType::Facet);
     }
 }
 

@@ -1,0 +1,186 @@
+//! The report for people: what a case will do and what it costs, before anything runs.
+
+use std::fmt::Write;
+
+use cssm_core::LightCase;
+use cssm_core::case::{MaskDepth, MaskNormal, Resolve};
+use cssm_core::table::{BindingKind, CaseTable, ConstantValue, FieldType, RecordKind, Resource};
+
+use crate::dsl;
+use crate::prelude::{binding_summary, binding_type};
+
+/// The report of a case.
+pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
+    let mut out = Out(String::new());
+    head(case, table, &mut out);
+    tiles(case, table, &mut out);
+    passes(table, &mut out);
+    bindings(table, &mut out);
+    records(table, &mut out);
+    constants(table, &mut out);
+    fetches(case, table, &mut out);
+    modules(table, &mut out);
+    out.0
+}
+
+/// Lines of text.
+struct Out(String);
+
+impl Out {
+    fn line(&mut self, text: impl AsRef<str>) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.0, "{}", text.as_ref().trim_end());
+    }
+
+    fn section(&mut self, title: &str) {
+        self.line("");
+        self.line(title);
+    }
+}
+
+fn head(case: &LightCase, table: &CaseTable, out: &mut Out) {
+    out.line(format!("{}, {:016x}", case.name, table.fingerprint));
+    out.section("declaration");
+    for line in dsl::print(case).lines() {
+        out.line(format!("  {line}"));
+    }
+    let names: Vec<_> = case.configurations.iter().map(|configuration| configuration.name).collect();
+    out.section("configurations");
+    out.line(format!("  {}: {}", case.technique.name, names.join(", ")));
+}
+
+fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
+    out.section("tiles");
+    let format = case.map.format;
+    let texels = u64::from(table.map_width) * u64::from(table.map_height);
+    let mebibytes = (texels * u64::from(format.bytes_per_texel())) as f64 / f64::from(1 << 20);
+    let (width, height) = (table.map_width, table.map_height);
+    out.line(format!("  map of {width} x {height} texels, {}, {mebibytes:.1} MiB", format.name()));
+    out.line(format!(
+        "  up to {} facets: {} sectors x {} bands, gutter {} texels",
+        table.facets(),
+        table.sectors,
+        table.bands,
+        case.gutter_texels()
+    ));
+    match case.technique.arguments.sizes("sizes") {
+        Some(sizes) => {
+            for (index, (width, height)) in sizes.iter().enumerate() {
+                out.line(format!("  tile {index}: {width} x {height}, {} texels", width * height));
+            }
+        }
+        None => {
+            let share = texels / u64::from(table.facets().max(1));
+            out.line(format!("  {share} texels per tile if all are used alike; a plan shares {texels} among its own"));
+        }
+    }
+}
+
+fn passes(table: &CaseTable, out: &mut Out) {
+    out.section("passes");
+    for pass in table.passes.iter() {
+        let names = |resources: &[Resource]| {
+            resources.iter().map(|resource| resource.name()).collect::<Vec<_>>().join(", ")
+        };
+        let stages = pass.fragment.iter().fold(pass.vertex.to_string(), |stages, name| format!("{stages}, {name}"));
+        out.line(format!(
+            "  {:<16}{stages}: reads {}; writes {}",
+            pass.shader.name(),
+            names(&pass.reads),
+            names(&pass.writes)
+        ));
+    }
+}
+
+fn bindings(table: &CaseTable, out: &mut Out) {
+    out.section("bindings");
+    for group in table.groups.iter() {
+        for binding in group.bindings.iter() {
+            let mut ty = binding_type(binding.kind).to_owned();
+            if let BindingKind::Uniform { record, dynamic_offset } = binding.kind {
+                let name = table.record(record).map_or("", |record| &record.name);
+                ty = format!("uniform {name}{}", if dynamic_offset { ", dynamic offset" } else { "" });
+            }
+            out.line(format!(
+                "  {:<16}group {} binding {}  {}: {ty}. {}",
+                group.shader.name(),
+                group.group,
+                binding.binding,
+                binding.name,
+                binding_summary(binding.kind)
+            ));
+        }
+    }
+}
+
+fn records(table: &CaseTable, out: &mut Out) {
+    out.section("records");
+    for record in table.records.iter() {
+        out.line(format!("  {}, {} bytes", record.name, record.size_bytes));
+        for field in record.fields.iter() {
+            let element = match field.ty {
+                FieldType::F32 => "f32",
+                FieldType::Vec2 => "vec2<f32>",
+                FieldType::Vec4 => "vec4<f32>",
+                FieldType::Facet => table.record(RecordKind::Facet).map_or("", |record| &record.name),
+            };
+            let ty = match field.elements {
+                0 => element.to_owned(),
+                elements => format!("{element} x {elements}, stride {}", field.stride_bytes),
+            };
+            out.line(format!("  {:>6}  {}: {ty}", field.offset_bytes, field.name));
+        }
+    }
+}
+
+fn constants(table: &CaseTable, out: &mut Out) {
+    if table.constants.is_empty() {
+        return;
+    }
+    out.section("constants");
+    for constant in table.constants.iter() {
+        let value = match constant.value {
+            ConstantValue::U32(value) => value.to_string(),
+            ConstantValue::F32(value) => format!("{value:?}"),
+            ConstantValue::Vec2([x, y]) => format!("{x:?}, {y:?}"),
+        };
+        out.line(format!("  {} = {value}", constant.name));
+    }
+}
+
+fn fetches(case: &LightCase, table: &CaseTable, out: &mut Out) {
+    out.section("texture fetches per pixel");
+    for interface in &case.resolve {
+        match *interface {
+            Resolve::Function { .. } => out.line(format!("  function        map {}", table.fetches_per_pixel)),
+            Resolve::Mask { depth, normal } => {
+                let depth_name = match depth {
+                    MaskDepth::ReversedZ => "reversed-z depth",
+                    MaskDepth::Linear => "linear depth",
+                };
+                let (depths, normals) = match (case.bias.reads_normal(), normal) {
+                    (false, _) => (1, 0),
+                    (true, MaskNormal::Reconstructed) => (1 + RECONSTRUCTION_FETCHES, 0),
+                    (true, MaskNormal::Texture) => (1, 1),
+                };
+                let normals = if normals > 0 { format!(", normal {normals}") } else { String::new() };
+                let map = table.fetches_per_pixel;
+                out.line(format!("  mask            map {map}, {depth_name} {depths}{normals}"));
+            }
+        }
+    }
+}
+
+/// Depths that the reconstruction of a normal reads: two on each side of each axis.
+const RECONSTRUCTION_FETCHES: u32 = 8;
+
+fn modules(table: &CaseTable, out: &mut Out) {
+    out.section("modules");
+    for shader in table.shaders.iter() {
+        let words = match shader.spirv.len() / 4 {
+            0 => "no entry point, no SPIR-V".to_owned(),
+            words => format!("{words} SPIR-V words"),
+        };
+        out.line(format!("  {:<16}{} WGSL lines, {words}", shader.kind.name(), shader.wgsl.lines().count()));
+    }
+}

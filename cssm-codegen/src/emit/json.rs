@@ -1,0 +1,252 @@
+//! The JSON target: the table for tools and for engines in other languages.
+//!
+//! Fields stand in the order of these structs, whatever features other crates switch on in serde_json.
+
+use cssm_core::LightCase;
+use cssm_core::table::{
+    BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantValue, FieldType, GroupContent, Pass, Record,
+    RecordField, Shader,
+};
+use serde::Serialize;
+
+use crate::emit::files;
+use crate::prelude::binding_type;
+
+/// The table as JSON text; shaders are named by their files.
+pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
+    let json = JsonCase {
+        case: &case.name,
+        doc: &case.doc,
+        prefix: &case.prefix,
+        fingerprint: format!("{:016x}", table.fingerprint),
+        technique: case.technique.name,
+        configurations: case.configurations.iter().map(|word| word.name).collect(),
+        filter: case.filter.name(),
+        bias: case.bias.name(),
+        map: JsonMap {
+            width: table.map_width,
+            height: table.map_height,
+            format: table.map_format.name(),
+            columns: case.map.columns,
+            gutter: case.gutter_texels(),
+        },
+        facets: JsonFacets { sectors: table.sectors, bands: table.bands, count: table.facets() },
+        fetches_per_pixel: table.fetches_per_pixel,
+        constants: table.constants.iter().map(JsonConstant::of).collect(),
+        records: table.records.iter().map(|record| JsonRecord::of(record, table)).collect(),
+        groups: table.groups.iter().map(|group| JsonGroup::of(group, table)).collect(),
+        passes: table.passes.iter().map(JsonPass::of).collect(),
+        shaders: table.shaders.iter().map(|shader| JsonShader::of(shader, table)).collect(),
+    };
+    // Strings and numbers always serialise.
+    serde_json::to_string_pretty(&json).unwrap_or_default() + "\n"
+}
+
+#[derive(Serialize)]
+struct JsonCase<'a> {
+    case: &'a str,
+    doc: &'a str,
+    prefix: &'a str,
+    fingerprint: String,
+    technique: &'a str,
+    configurations: Vec<&'a str>,
+    filter: &'a str,
+    bias: &'a str,
+    map: JsonMap<'a>,
+    facets: JsonFacets,
+    fetches_per_pixel: u32,
+    constants: Vec<JsonConstant<'a>>,
+    records: Vec<JsonRecord<'a>>,
+    groups: Vec<JsonGroup<'a>>,
+    passes: Vec<JsonPass<'a>>,
+    shaders: Vec<JsonShader<'a>>,
+}
+
+#[derive(Serialize)]
+struct JsonMap<'a> {
+    width: u32,
+    height: u32,
+    format: &'a str,
+    /// Absent: found by the plan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    columns: Option<u32>,
+    gutter: u32,
+}
+
+#[derive(Serialize)]
+struct JsonFacets {
+    sectors: u32,
+    bands: u32,
+    count: u32,
+}
+
+#[derive(Serialize)]
+struct JsonConstant<'a> {
+    name: &'a str,
+    summary: &'a str,
+    #[serde(rename = "type")]
+    ty: &'a str,
+    value: JsonValue,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum JsonValue {
+    U32(u32),
+    F32(f32),
+    Vec2([f32; 2]),
+}
+
+impl<'a> JsonConstant<'a> {
+    fn of(constant: &'a Constant) -> Self {
+        let (ty, value) = match constant.value {
+            ConstantValue::U32(value) => ("u32", JsonValue::U32(value)),
+            ConstantValue::F32(value) => ("f32", JsonValue::F32(value)),
+            ConstantValue::Vec2(value) => ("vec2<f32>", JsonValue::Vec2(value)),
+        };
+        Self { name: &constant.name, summary: constant.kind.summary(), ty, value }
+    }
+}
+
+#[derive(Serialize)]
+struct JsonRecord<'a> {
+    name: &'a str,
+    summary: &'a str,
+    size_bytes: u32,
+    fields: Vec<JsonField<'a>>,
+}
+
+#[derive(Serialize)]
+struct JsonField<'a> {
+    name: &'a str,
+    summary: &'a str,
+    #[serde(rename = "type")]
+    ty: &'a str,
+    offset_bytes: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    elements: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stride_bytes: Option<u32>,
+}
+
+impl<'a> JsonRecord<'a> {
+    fn of(record: &'a Record, table: &'a CaseTable) -> Self {
+        let fields = record.fields.iter().map(|field| JsonField::of(field, table)).collect();
+        Self { name: &record.name, summary: record.kind.summary(), size_bytes: record.size_bytes, fields }
+    }
+}
+
+impl<'a> JsonField<'a> {
+    fn of(field: &'a RecordField, table: &'a CaseTable) -> Self {
+        let facet = table.records.iter().find(|record| record.kind == cssm_core::table::RecordKind::Facet);
+        Self {
+            name: &field.name,
+            summary: field.meaning.summary(),
+            ty: match field.ty {
+                FieldType::F32 => "f32",
+                FieldType::Vec2 => "vec2<f32>",
+                FieldType::Vec4 => "vec4<f32>",
+                FieldType::Facet => facet.map_or("Facet", |record| &record.name),
+            },
+            offset_bytes: field.offset_bytes,
+            elements: (field.elements > 0).then_some(field.elements),
+            stride_bytes: (field.elements > 0).then_some(field.stride_bytes),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct JsonGroup<'a> {
+    shader: &'a str,
+    content: &'a str,
+    group: u32,
+    bindings: Vec<JsonBinding<'a>>,
+}
+
+#[derive(Serialize)]
+struct JsonBinding<'a> {
+    binding: u32,
+    name: &'a str,
+    kind: &'a str,
+    #[serde(rename = "type")]
+    ty: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dynamic_offset: Option<bool>,
+}
+
+impl<'a> JsonGroup<'a> {
+    fn of(group: &'a BindGroup, table: &'a CaseTable) -> Self {
+        let content = match group.content {
+            GroupContent::CaptureFacet => "capture_facet",
+            GroupContent::MaskInput => "mask_input",
+            GroupContent::Shadow => "shadow",
+        };
+        let bindings = group.bindings.iter().map(|binding| JsonBinding::of(binding, table)).collect();
+        Self { shader: group.shader.name(), content, group: group.group, bindings }
+    }
+}
+
+impl<'a> JsonBinding<'a> {
+    fn of(binding: &'a Binding, table: &'a CaseTable) -> Self {
+        let mut ty = binding_type(binding.kind);
+        let mut offset = None;
+        if let BindingKind::Uniform { record, dynamic_offset } = binding.kind {
+            ty = table.record(record).map_or(ty, |record| &record.name);
+            offset = Some(dynamic_offset);
+        }
+        let kind = match binding.kind {
+            BindingKind::Uniform { .. } => "uniform",
+            BindingKind::Map => "map",
+            BindingKind::SceneDepth => "scene_depth",
+            BindingKind::SceneLinearDepth => "scene_linear_depth",
+            BindingKind::SceneNormal => "scene_normal",
+            BindingKind::ComparisonSampler => "comparison_sampler",
+            BindingKind::GatherSampler => "gather_sampler",
+        };
+        Self { binding: binding.binding, name: &binding.name, kind, ty, dynamic_offset: offset }
+    }
+}
+
+#[derive(Serialize)]
+struct JsonPass<'a> {
+    shader: &'a str,
+    vertex: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fragment: Option<&'a str>,
+    reads: Vec<&'a str>,
+    writes: Vec<&'a str>,
+}
+
+impl<'a> JsonPass<'a> {
+    fn of(pass: &'a Pass) -> Self {
+        Self {
+            shader: pass.shader.name(),
+            vertex: &pass.vertex,
+            fragment: pass.fragment.as_deref(),
+            reads: pass.reads.iter().map(|resource| resource.name()).collect(),
+            writes: pass.writes.iter().map(|resource| resource.name()).collect(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct JsonShader<'a> {
+    kind: &'a str,
+    wgsl: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spirv: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spirv_words: Option<usize>,
+}
+
+impl<'a> JsonShader<'a> {
+    fn of(shader: &'a Shader, table: &CaseTable) -> Self {
+        let has_words = !shader.spirv.is_empty();
+        Self {
+            kind: shader.kind.name(),
+            wgsl: files::shader_name(table, shader, "wgsl"),
+            spirv: has_words.then(|| files::shader_name(table, shader, "spv")),
+            spirv_words: has_words.then_some(shader.spirv.len() / 4),
+        }
+    }
+}

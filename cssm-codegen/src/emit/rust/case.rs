@@ -1,0 +1,171 @@
+//! The declaration as a Rust value: what was checked when the module was generated needs no check when it runs.
+
+use cssm_core::LightCase;
+use cssm_core::case::{Bias, MapSpec, Resolve};
+use cssm_core::schema::{Arguments, Value, Word};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::{doc, number, variant};
+
+/// The function that returns the case.
+pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream {
+    // Take the case apart by name, so that a new field cannot be forgotten here.
+    let LightCase {
+        name,
+        doc: case_doc,
+        public,
+        light,
+        far,
+        shadow_distance_metres,
+        scene_bounds,
+        technique,
+        configurations,
+        distribution,
+        map,
+        filter,
+        bias,
+        resolve,
+        prefix,
+    } = case;
+    let docs = doc("The declaration.");
+    let light = variant("LightKind", light);
+    let far = variant("FarKind", far);
+    let shadow_distance_metres = option(shadow_distance_metres.map(real));
+    let technique = word(technique);
+    let configurations = configurations.iter().map(word);
+    let distribution = option(distribution.as_ref().map(word));
+    let map = map_spec(map);
+    let filter = variant("Filter", filter);
+    let bias = bias_value(bias);
+    let resolve = resolve.iter().map(interface);
+    quote! {
+        #docs
+        pub fn case() -> #crate_path::core::LightCase {
+            use #crate_path::core::case::*;
+            use #crate_path::core::schema::{Arguments, Value, Word};
+            LightCase {
+                name: #name.into(),
+                doc: #case_doc.into(),
+                public: #public,
+                light: #light,
+                far: #far,
+                shadow_distance_metres: #shadow_distance_metres,
+                scene_bounds: #scene_bounds,
+                technique: #technique,
+                configurations: Vec::from([#(#configurations),*]),
+                distribution: #distribution,
+                map: #map,
+                filter: #filter,
+                bias: #bias,
+                resolve: Vec::from([#(#resolve),*]),
+                prefix: #prefix.into(),
+            }
+        }
+    }
+}
+
+fn map_spec(map: &MapSpec) -> TokenStream {
+    let MapSpec { width, height, columns, format, gutter } = *map;
+    let (width, height) = (number(width), number(height));
+    let (columns, gutter) = (option(columns.map(number)), option(gutter.map(number)));
+    let format = variant("DepthFormat", &format);
+    quote!(MapSpec { width: #width, height: #height, columns: #columns, format: #format, gutter: #gutter })
+}
+
+fn bias_value(bias: &Bias) -> TokenStream {
+    match *bias {
+        Bias::Constant { along_light_metres } => {
+            let along_light_metres = real(along_light_metres);
+            quote!(Bias::Constant { along_light_metres: #along_light_metres })
+        }
+        Bias::Slope { texels } => {
+            let texels = real(texels);
+            quote!(Bias::Slope { texels: #texels })
+        }
+        Bias::WorldTexel { a_metres, b_texels } => {
+            let (a_metres, b_texels) = (real(a_metres), real(b_texels));
+            quote!(Bias::WorldTexel { a_metres: #a_metres, b_texels: #b_texels })
+        }
+        Bias::None | Bias::ReceiverPlane => variant("Bias", bias),
+    }
+}
+
+fn interface(interface: &Resolve) -> TokenStream {
+    match *interface {
+        Resolve::Mask { depth, normal } => {
+            let (depth, normal) = (variant("MaskDepth", &depth), variant("MaskNormal", &normal));
+            quote!(Resolve::Mask { depth: #depth, normal: #normal })
+        }
+        Resolve::Function { group } => {
+            let group = number(group);
+            quote!(Resolve::Function { group: #group })
+        }
+    }
+}
+
+fn word(word: &Word) -> TokenStream {
+    let name = word.name;
+    if word.arguments.0.is_empty() {
+        return quote!(Word::plain(#name));
+    }
+    let arguments = pairs(&word.arguments);
+    quote!(Word::with(#name, [#arguments]))
+}
+
+fn pairs(arguments: &Arguments) -> TokenStream {
+    let pairs = arguments.0.iter().map(|(name, argument)| {
+        let argument = value(argument);
+        quote!((#name, #argument))
+    });
+    quote!(#(#pairs),*)
+}
+
+fn value(value: &Value) -> TokenStream {
+    match value {
+        Value::Count(count) => {
+            let count = number(*count);
+            quote!(Value::Count(#count))
+        }
+        Value::Number(metres) => {
+            let metres = real(*metres);
+            quote!(Value::Number(#metres))
+        }
+        Value::Size(width, height) => {
+            let (width, height) = (number(*width), number(*height));
+            quote!(Value::Size(#width, #height))
+        }
+        Value::Word(inner) => {
+            let inner = word(inner);
+            quote!(Value::Word(#inner))
+        }
+        Value::Words(words) => {
+            let words = words.iter().map(word);
+            quote!(Value::Words(Vec::from([#(#words),*])))
+        }
+        Value::Sizes(sizes) => {
+            let sizes = sizes.iter().map(|(width, height)| {
+                let (width, height) = (number(*width), number(*height));
+                quote!((#width, #height))
+            });
+            quote!(Value::Sizes(Vec::from([#(#sizes),*])))
+        }
+        Value::Group(arguments) => {
+            let arguments = pairs(arguments);
+            quote!(Value::Group(Arguments(Vec::from([#arguments]))))
+        }
+        Value::Name(name) => quote!(Value::Name(#name.into())),
+    }
+}
+
+fn option(value: Option<TokenStream>) -> TokenStream {
+    match value {
+        Some(value) => quote!(Some(#value)),
+        None => quote!(None),
+    }
+}
+
+fn real(value: f64) -> TokenStream {
+    let literal = Literal::f64_unsuffixed(value);
+    quote!(#literal)
+}

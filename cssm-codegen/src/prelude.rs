@@ -1,0 +1,106 @@
+//! What stands above the library's functions: constants, records and bindings, printed from the table under the
+//! library's own names.
+
+use std::fmt::Write;
+
+use cssm_core::table::{
+    Binding, BindingKind, CaseTable, ConstantValue, FieldType, Record, RecordField, RecordKind, ShaderKind,
+};
+
+use crate::compose::Prefix;
+
+/// The prelude of one shader of a table; composing drops what the shader does not use.
+pub(crate) fn prelude(table: &CaseTable, shader: ShaderKind, prefix: &Prefix) -> String {
+    let mut text = String::new();
+    for constant in table.constants.iter() {
+        line(&mut text, format_args!("/// {}", constant.kind.summary()));
+        let (ty, value) = match constant.value {
+            ConstantValue::U32(value) => ("u32", format!("{value}u")),
+            ConstantValue::F32(value) => ("f32", float(value)),
+            ConstantValue::Vec2([x, y]) => ("vec2<f32>", format!("vec2<f32>({}, {})", float(x), float(y))),
+        };
+        line(&mut text, format_args!("const {}: {ty} = {value};\n", constant.kind.name()));
+    }
+    for record in table.records.iter() {
+        print_record(record, &mut text);
+    }
+    for group in table.groups.iter().filter(|group| group.shader == shader) {
+        for binding in group.bindings.iter() {
+            print_binding(group.group, binding, prefix, &mut text);
+        }
+    }
+    text
+}
+
+/// WGSL type of a field, under the library's names.
+pub(crate) fn field_type(field: &RecordField) -> String {
+    let element = match field.ty {
+        FieldType::F32 => "f32",
+        FieldType::Vec2 => "vec2<f32>",
+        FieldType::Vec4 => "vec4<f32>",
+        FieldType::Facet => RecordKind::Facet.name(),
+    };
+    match field.elements {
+        0 => element.to_owned(),
+        elements => format!("array<{element}, {elements}>"),
+    }
+}
+
+/// WGSL type of what is bound, under the library's names.
+pub(crate) fn binding_type(kind: BindingKind) -> &'static str {
+    match kind {
+        BindingKind::Uniform { record, .. } => record.name(),
+        BindingKind::Map | BindingKind::SceneDepth => "texture_depth_2d",
+        BindingKind::SceneLinearDepth | BindingKind::SceneNormal => "texture_2d<f32>",
+        BindingKind::ComparisonSampler => "sampler_comparison",
+        BindingKind::GatherSampler => "sampler",
+    }
+}
+
+/// One sentence on what is bound.
+pub(crate) fn binding_summary(kind: BindingKind) -> &'static str {
+    match kind {
+        BindingKind::Uniform { record: RecordKind::Facet, .. } => "One facet.",
+        BindingKind::Uniform { record: RecordKind::Shadow, .. } => "The plan.",
+        BindingKind::Uniform { record: RecordKind::Capture, .. } => "The facet that is captured.",
+        BindingKind::Uniform { record: RecordKind::Mask, .. } => "The view.",
+        BindingKind::Map => "The shadow map.",
+        BindingKind::SceneDepth => "The engine's depth, reversed-z.",
+        BindingKind::SceneLinearDepth => "The engine's depth in metres along the view axis.",
+        BindingKind::SceneNormal => "The engine's geometric normals, world axes.",
+        BindingKind::ComparisonSampler => "Compares less or equal, blends linearly, clamps to the edge.",
+        BindingKind::GatherSampler => "Takes the nearest texel, clamps to the edge.",
+    }
+}
+
+/// A float as a WGSL literal.
+fn float(value: f32) -> String {
+    format!("{value:?}")
+}
+
+fn print_record(record: &Record, text: &mut String) {
+    line(text, format_args!("/// {}", record.kind.summary()));
+    line(text, format_args!("struct {} {{", record.kind.name()));
+    for field in record.fields.iter() {
+        line(text, format_args!("    /// {}", field.meaning.summary()));
+        line(text, format_args!("    {}: {},", field.name, field_type(field)));
+    }
+    line(text, format_args!("}}\n"));
+}
+
+fn print_binding(group: u32, binding: &Binding, prefix: &Prefix, text: &mut String) {
+    let space = match binding.kind {
+        BindingKind::Uniform { .. } => "var<uniform>",
+        _ => "var",
+    };
+    let name = prefix.strip(&binding.name);
+    let number = binding.binding;
+    line(text, format_args!("/// {}", binding_summary(binding.kind)));
+    line(text, format_args!("@group({group}) @binding({number})"));
+    line(text, format_args!("{space} {name}: {};\n", binding_type(binding.kind)));
+}
+
+fn line(text: &mut String, arguments: std::fmt::Arguments<'_>) {
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "{arguments}");
+}

@@ -1,0 +1,117 @@
+//! Point-sampled rasterisation of casters into every facet's tile.
+
+use glam::{DVec3, DVec4};
+
+use super::DepthMap;
+use crate::facet::Facet;
+use crate::plan::ShadowPlan;
+
+/// A caster triangle, corners relative to the eye in world axes, metres.
+pub type Triangle = [DVec3; 3];
+
+/// Renders casters into the map of a plan: every texel centre keeps the smallest depth, clamped to [0, 1].
+pub fn capture(plan: &ShadowPlan, triangles: &[Triangle]) -> DepthMap {
+    let mut map = DepthMap::cleared(plan.map_size_texels.0, plan.map_size_texels.1);
+    for facet in &plan.facets {
+        for triangle in triangles {
+            draw(&mut map, facet, triangle);
+        }
+    }
+    map
+}
+
+/// Determinant, relative to its factors, below which a triangle is edge-on to the light.
+const EDGE_ON: f64 = 1e-14;
+
+fn draw(map: &mut DepthMap, facet: &Facet, triangle: &Triangle) {
+    let rows = &facet.rows;
+    let corners = triangle.map(|corner| {
+        let point = corner.extend(1.0);
+        DVec4::new(rows.x.dot(point), rows.y.dot(point), rows.z.dot(point), rows.w.dot(point))
+    });
+    let Some((low, high)) = tile_bounds(&corners) else { return };
+
+    // Invert the triangle in homogeneous clip space: a covered point is a positive combination of the corners, also
+    // when some lie behind w = 0 (Olano and Greer, triangle scan conversion using 2D homogeneous coordinates).
+    let plane = corners.map(|corner| DVec3::new(corner.x, corner.y, corner.w));
+    let determinant = plane[0].dot(plane[1].cross(plane[2]));
+    if determinant.abs() <= EDGE_ON * plane.iter().map(|corner| corner.length()).product::<f64>() {
+        return;
+    }
+    let edges = [plane[1].cross(plane[2]), plane[2].cross(plane[0]), plane[0].cross(plane[1])]
+        .map(|edge| edge / determinant);
+    let depth_row = edges[0] * corners[0].z + edges[1] * corners[1].z + edges[2] * corners[2].z;
+
+    // Walk the rows of texel centres; along a row every edge is a linear inequality.
+    let tile = &facet.tile;
+    let (width, height) = (f64::from(tile.width), f64::from(tile.height));
+    let first_row = ((0.5 - 0.5 * high.1) * height - 0.5).ceil().max(0.0) as u32;
+    let last_row = ((0.5 - 0.5 * low.1) * height - 0.5).floor().min(height - 1.0);
+    if last_row < 0.0 {
+        return;
+    }
+    for row in first_row..=last_row as u32 {
+        let y = 1.0 - 2.0 * (f64::from(row) + 0.5) / height;
+        let (mut from, mut to) = (low.0, high.0);
+        for edge in &edges {
+            let constant = edge.y * y + edge.z;
+            if edge.x > 0.0 {
+                from = from.max(-constant / edge.x);
+            } else if edge.x < 0.0 {
+                to = to.min(-constant / edge.x);
+            } else if constant < 0.0 {
+                to = f64::NEG_INFINITY;
+            }
+        }
+        if from > to {
+            continue;
+        }
+        let first = ((0.5 + 0.5 * from) * width - 0.5).ceil().max(0.0);
+        let last = ((0.5 + 0.5 * to) * width - 0.5).floor().min(width - 1.0);
+        let start = (tile.y + row) as usize * map.width as usize + tile.x as usize;
+        let mut column = first;
+        while column <= last {
+            let x = 2.0 * (column + 0.5) / width - 1.0;
+            let depth = depth_row.dot(DVec3::new(x, y, 1.0)).clamp(0.0, 1.0);
+            let texel = &mut map.depths[start + column as usize];
+            *texel = texel.min(depth);
+            column += 1.0;
+        }
+    }
+}
+
+/// Smallest rectangle of the tile's clip space around the visible part of a triangle.
+fn tile_bounds(corners: &[DVec4; 3]) -> Option<((f64, f64), (f64, f64))> {
+    const EDGES: [DVec4; 4] = [
+        DVec4::new(1.0, 0.0, 0.0, 1.0),
+        DVec4::new(-1.0, 0.0, 0.0, 1.0),
+        DVec4::new(0.0, 1.0, 0.0, 1.0),
+        DVec4::new(0.0, -1.0, 0.0, 1.0),
+    ];
+    // Most triangles lie outside one edge; most others inside all.
+    let outside = |edge: &DVec4| corners.iter().all(|corner| edge.dot(*corner) < 0.0);
+    if EDGES.iter().any(outside) {
+        return None;
+    }
+    let mut polygon = corners.to_vec();
+    for edge in EDGES {
+        let mut kept = Vec::with_capacity(polygon.len() + 1);
+        for (one, two) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
+            let (a, b) = (edge.dot(*one), edge.dot(*two));
+            if a >= 0.0 {
+                kept.push(*one);
+            }
+            if (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0) {
+                kept.push((*one * b - *two * a) / (b - a));
+            }
+        }
+        polygon = kept;
+    }
+    let mut bounds = ((f64::INFINITY, f64::INFINITY), (f64::NEG_INFINITY, f64::NEG_INFINITY));
+    for corner in polygon.iter().filter(|corner| corner.w > 0.0) {
+        let (x, y) = (corner.x / corner.w, corner.y / corner.w);
+        bounds.0 = (bounds.0.0.min(x), bounds.0.1.min(y));
+        bounds.1 = (bounds.1.0.max(x), bounds.1.1.max(y));
+    }
+    (bounds.0.0 <= bounds.1.0).then_some(bounds)
+}

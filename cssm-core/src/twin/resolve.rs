@@ -1,0 +1,130 @@
+//! From a visible point to its visibility, step by step as the shader does it.
+
+use glam::{DVec2, DVec3};
+
+use super::DepthMap;
+use crate::case::{Bias, Filter, LightCase};
+use crate::facet::Facet;
+use crate::homography::Gradients;
+use crate::plan::ShadowPlan;
+
+/// What resolving a visible point found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resolved {
+    /// Index of the facet the selection walk ended in.
+    pub facet: u32,
+    /// Map texel coordinates (centres at .5, y down); NaN when the facet has no receivers.
+    pub texel: DVec2,
+    /// Depth of the point in the facet, before bias.
+    pub depth: f64,
+    /// 0 in shadow, 1 lit, between where the filter blends.
+    pub visibility: f64,
+}
+
+/// Smallest cosine between normal and light that a slope bias reckons with.
+const SMALLEST_COSINE: f64 = 0.01;
+
+/// Visibility of a point relative to the eye with a unit geometric normal, world axes.
+pub fn resolve(case: &LightCase, plan: &ShadowPlan, map: &DepthMap, point_from_eye: DVec3, normal: DVec3) -> Resolved {
+    // Walk to the facet.
+    let index = plan.selection.facet(point_from_eye.extend(1.0));
+    let lit = |texel, depth| Resolved { facet: index, texel, depth, visibility: 1.0 };
+    let Some(facet) = plan.facet(index) else { return lit(DVec2::NAN, f64::NAN) };
+
+    // Find the texel; beyond the facet's own receivers everything is lit.
+    let gradients = Gradients::at(&facet.rows, point_from_eye);
+    if gradients.w <= 0.0 {
+        return lit(DVec2::NAN, f64::NAN);
+    }
+    let (x, y) = facet.tile.texel_from_ndc(gradients.ndc.x, gradients.ndc.y);
+    let (texel, depth) = (DVec2::new(x, y), gradients.ndc.z);
+    let (low, high) = facet.tile.texel_limits();
+    if texel.cmplt(low).any() || texel.cmpgt(high).any() {
+        return lit(texel, depth);
+    }
+
+    // Compare and filter.
+    let reference = Reference::new(case, plan, facet, &gradients, texel, normal);
+    let stored = |corner: DVec2| map.depth(corner.x as i64, corner.y as i64);
+    let lit_at = |reference: f64, corner: DVec2| f64::from(u8::from(reference.clamp(0.0, 1.0) <= stored(corner)));
+    let visibility = match case.filter {
+        Filter::None => {
+            let corner = texel.floor();
+            lit_at(reference.at(corner + 0.5), corner)
+        }
+        Filter::Gather2x2 | Filter::Hardware2x2 => {
+            let corner = (texel - 0.5).floor();
+            let weight = texel - 0.5 - corner;
+            let tap = |dx: f64, dy: f64| {
+                let corner = corner + DVec2::new(dx, dy);
+                let reference = match case.filter {
+                    Filter::Hardware2x2 => reference.lowest(weight),
+                    _ => reference.at(corner + 0.5),
+                };
+                lit_at(reference, corner)
+            };
+            let upper = tap(0.0, 0.0) * (1.0 - weight.x) + tap(1.0, 0.0) * weight.x;
+            let lower = tap(0.0, 1.0) * (1.0 - weight.x) + tap(1.0, 1.0) * weight.x;
+            upper * (1.0 - weight.y) + lower * weight.y
+        }
+    };
+    Resolved { facet: index, texel, depth, visibility }
+}
+
+/// The depth that texels around a receiver are compared with: a plane over the map.
+struct Reference {
+    texel: DVec2,
+    depth: f64,
+    per_texel: DVec2,
+}
+
+impl Reference {
+    fn new(
+        case: &LightCase,
+        plan: &ShadowPlan,
+        facet: &Facet,
+        gradients: &Gradients,
+        texel: DVec2,
+        normal: DVec3,
+    ) -> Self {
+        let depth = gradients.ndc.z;
+        let flat = |bias: f64| Self { texel, depth: depth - bias, per_texel: DVec2::ZERO };
+        match case.bias {
+            Bias::None => flat(0.0),
+            Bias::Constant { along_light_metres } => {
+                flat(along_light_metres * facet.depth_per_metre / gradients.w)
+            }
+            Bias::WorldTexel { a_metres, b_texels } => flat(
+                facet.depth_per_metre * (a_metres / gradients.w + b_texels * facet.texel_metres_per_w),
+            ),
+            Bias::Slope { texels } => {
+                let cosine = normal.dot(plan.light.truncate()).clamp(SMALLEST_COSINE, 1.0);
+                let tangent = (1.0 - cosine * cosine).sqrt() / cosine;
+                flat(texels * facet.texel_metres_per_w * facet.depth_per_metre * tangent)
+            }
+            Bias::ReceiverPlane => {
+                let (across, up) = gradients.depth_along_surface(normal);
+                let per_texel = DVec2::new(
+                    across * 2.0 / f64::from(facet.tile.width),
+                    -up * 2.0 / f64::from(facet.tile.height),
+                );
+                // A plane that contains the light has no slope; it is held at one depth range a texel.
+                let per_texel =
+                    if per_texel.is_nan() { DVec2::ZERO } else { per_texel.clamp(DVec2::NEG_ONE, DVec2::ONE) };
+                Self { texel, depth: depth - facet.receiver_plane_depth, per_texel }
+            }
+        }
+    }
+
+    /// Depth at a texel centre.
+    fn at(&self, centre: DVec2) -> f64 {
+        self.depth + self.per_texel.dot(centre - self.texel)
+    }
+
+    /// Lowest depth at the four texel centres around the receiver, which lies `weight` past the first.
+    fn lowest(&self, weight: DVec2) -> f64 {
+        let one = self.per_texel * -weight;
+        let two = self.per_texel * (DVec2::ONE - weight);
+        self.depth + one.min(two).element_sum()
+    }
+}

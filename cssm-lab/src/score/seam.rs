@@ -1,0 +1,68 @@
+//! Whether facet boundaries show: edge displacement beside them against elsewhere.
+
+use serde::Serialize;
+
+use super::displacement::surface_footprint;
+use super::distance;
+use super::edges::{Lattice, Marks};
+use super::statistics::Percentiles;
+use super::{PixelFootprint, Place, Verdict};
+
+/// Edges at most this far from a facet boundary lie in its strip.
+const STRIP_PIXELS: f64 = 2.0;
+
+/// Edge displacement beside facet boundaries and elsewhere, from true edges to the map's, in surface footprints.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Seam {
+    /// True edge pixels in the strip.
+    pub strip_edge_pixels: u64,
+    /// Displacement in the strip.
+    pub strip: Percentiles,
+    /// Displacement elsewhere.
+    pub elsewhere: Percentiles,
+    /// Mean displacement in the strip over that elsewhere; absent where either has no edges or no displacement.
+    pub mean_ratio: Option<f64>,
+    /// p95 in the strip over p95 elsewhere; absent likewise.
+    pub p95_ratio: Option<f64>,
+    /// Light-facing interior pixels of the strip that are wrong.
+    pub interior_wrong_pixels: u64,
+}
+
+impl Seam {
+    /// Absent when no boundary is visible.
+    pub(super) fn along(
+        boundaries: &Marks,
+        true_edges: &Marks,
+        map_edges: &Marks,
+        footprints: &[Option<PixelFootprint>],
+        verdicts: &[Option<Verdict>],
+        lattice: Lattice,
+    ) -> Option<Self> {
+        boundaries.places().next()?;
+        let to_boundary = distance::transform(boundaries);
+        let to_map = distance::transform(map_edges);
+        let (mut strip, mut elsewhere) = (Vec::new(), Vec::new());
+        for place in true_edges.places() {
+            let Some(footprint) = surface_footprint(footprints, lattice, place) else { continue };
+            let side = if to_boundary[place] <= STRIP_PIXELS { &mut strip } else { &mut elsewhere };
+            side.push(to_map[place] / footprint);
+        }
+        let interior_wrong = verdicts.iter().enumerate().filter(|(index, verdict)| {
+            verdict.is_some_and(|verdict| verdict.facing && verdict.wrong() && verdict.place == Place::Interior)
+                && to_boundary[lattice.of_pixel(*index)] <= STRIP_PIXELS
+        });
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let ratio = |one: f64, two: f64| Some(one / two).filter(|ratio| ratio.is_finite());
+        let mean_ratio = ratio(mean(&strip), mean(&elsewhere));
+        let strip_edge_pixels = strip.len() as u64;
+        let (strip, elsewhere) = (Percentiles::of(strip), Percentiles::of(elsewhere));
+        Some(Self {
+            strip_edge_pixels,
+            strip,
+            elsewhere,
+            mean_ratio,
+            p95_ratio: if strip_edge_pixels == 0 { None } else { ratio(strip.p95, elsewhere.p95) },
+            interior_wrong_pixels: interior_wrong.count() as u64,
+        })
+    }
+}

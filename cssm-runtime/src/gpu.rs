@@ -1,0 +1,96 @@
+//! Everything of the service that dies with the device.
+
+use std::sync::Arc;
+
+use cssm_core::table::{CaseTable, GroupContent};
+
+use crate::atlas::Atlas;
+use crate::capture::{CapturePipelines, capture_shader};
+use crate::error::ServiceError;
+use crate::frame::{SlotLayouts, SlotPool, UniformLayout};
+use crate::health::HealthProbe;
+use crate::layout::{group_layout, required_group, shadow_group};
+use crate::requirements::{check_limits, check_records};
+use crate::resolve::MaskPipeline;
+use crate::scope::checked;
+use crate::service::Options;
+
+/// A table's objects on one device.
+#[derive(Debug)]
+pub(crate) struct Gpu {
+    pub(crate) device: wgpu::Device,
+    pub(crate) queue: wgpu::Queue,
+    pub(crate) atlas: Atlas,
+    pub(crate) layouts: SlotLayouts,
+    pub(crate) capture: CapturePipelines,
+    pub(crate) mask: Option<MaskPipeline>,
+    pub(crate) slots: SlotPool,
+    pub(crate) probe: HealthProbe,
+    /// Tells frames of this device and service from all others.
+    pub(crate) identity: Arc<()>,
+}
+
+impl Gpu {
+    /// Creates the map and the pipelines of a table.
+    pub(crate) fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        table: &CaseTable,
+        options: &Options,
+    ) -> Result<Self, ServiceError> {
+        let limits = device.limits();
+        check_records(table)?;
+        check_limits(&limits, table)?;
+        let probe = checked(device, "a health probe", || HealthProbe::new(device))?;
+        if probe.device_lost(device) {
+            return Err(ServiceError::DeviceLost);
+        }
+
+        // Create layouts first: slots and pipelines share them.
+        let shader = capture_shader(device, table, options.clamp_in_fragments)?;
+        let capture_group = required_group(table, shader, GroupContent::CaptureFacet)?;
+        let (capture, shadow) = checked(device, "bind group layouts", || {
+            let stages = options.material_stages | wgpu::ShaderStages::FRAGMENT;
+            let shadow = shadow_group(table).map(|group| group_layout(device, table, group, stages));
+            (
+                group_layout(device, table, capture_group, wgpu::ShaderStages::VERTEX),
+                shadow,
+            )
+        })?;
+        let uniforms = UniformLayout::new(table, limits.min_uniform_buffer_offset_alignment);
+        let layouts = SlotLayouts {
+            capture,
+            shadow,
+            uniforms,
+        };
+
+        let atlas = checked(device, "the map", || Atlas::new(device, table))?;
+        let capture = CapturePipelines::new(device, table, shader, &layouts.capture)?;
+        let mask = MaskPipeline::new(device, table, &layouts, options.mask_format)?;
+        let gpu = Self {
+            device: device.clone(),
+            queue: queue.clone(),
+            atlas,
+            layouts,
+            capture,
+            mask,
+            slots: SlotPool::default(),
+            probe,
+            identity: Arc::new(()),
+        };
+        if gpu.probe.device_lost(device) {
+            Err(ServiceError::DeviceLost)
+        } else {
+            Ok(gpu)
+        }
+    }
+
+    /// A lost device accepts some calls, refuses others for odd reasons and does nothing: ask it before believing.
+    pub(crate) fn alive<T>(&self, outcome: Result<T, ServiceError>) -> Result<T, ServiceError> {
+        if self.probe.device_lost(&self.device) {
+            Err(ServiceError::DeviceLost)
+        } else {
+            outcome
+        }
+    }
+}

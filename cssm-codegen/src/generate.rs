@@ -16,7 +16,9 @@ use crate::{library, prelude, spirv};
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum GenerateError {
     /// The library does not compose.
-    #[error("the {shader} shader of case `{case}` does not compose: {source}; this is a fault of the shader library, report it with the declaration")]
+    #[error(
+        "the {shader} shader of case `{case}` does not compose: {source}; this is a fault of the shader library, report it with the declaration"
+    )]
     Compose {
         /// The case.
         case: String,
@@ -26,7 +28,9 @@ pub enum GenerateError {
         source: ComposeError,
     },
     /// A composed module is wrong.
-    #[error("the {shader} shader of case `{case}` is wrong: {source}; this is a fault of the shader library, report it with the declaration")]
+    #[error(
+        "the {shader} shader of case `{case}` is wrong: {source}; this is a fault of the shader library, report it with the declaration"
+    )]
     Judge {
         /// The case.
         case: String,
@@ -36,7 +40,9 @@ pub enum GenerateError {
         source: JudgeError,
     },
     /// Two cases would write the same files and names.
-    #[error("cases `{first}` and `{second}` share the prefix `{prefix}`; give one of them another, such as `prefix: {prefix}_other`")]
+    #[error(
+        "cases `{first}` and `{second}` share the prefix `{prefix}`; give one of them another, such as `prefix: {prefix}_other`"
+    )]
     SharedPrefix {
         /// The prefix.
         prefix: String,
@@ -52,7 +58,9 @@ pub enum GenerateError {
         path: String,
     },
     /// The Rust output does not parse.
-    #[error("the Rust tables of case `{case}` do not parse: {message}; this is a fault of the generator, report it with the declaration")]
+    #[error(
+        "the Rust tables of case `{case}` do not parse: {message}; this is a fault of the generator, report it with the declaration"
+    )]
     Rust {
         /// The case.
         case: String,
@@ -76,7 +84,10 @@ pub(crate) fn table_with_shaders(case: &LightCase) -> Result<CaseTable, Generate
 pub(crate) fn check_prefixes(cases: &[LightCase]) -> Result<(), GenerateError> {
     for (index, case) in cases.iter().enumerate() {
         let types = |case: &LightCase| Prefix::new(&case.prefix).apply(DeclarationKind::Type, "");
-        if let Some(first) = cases[..index].iter().find(|earlier| types(earlier) == types(case)) {
+        if let Some(first) = cases[..index]
+            .iter()
+            .find(|earlier| types(earlier) == types(case))
+        {
             return Err(GenerateError::SharedPrefix {
                 prefix: case.prefix.clone(),
                 first: first.name.clone(),
@@ -103,9 +114,14 @@ fn shader(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> Result<Shade
     let prefix = Prefix::new(&case.prefix);
     let prelude = prelude::prelude(table, kind, &prefix);
     let (files, roots) = library::pick(case, kind);
-    let sources: Vec<_> = std::iter::once(prelude.as_str()).chain(files.iter().map(|file| file.source)).collect();
-    let body = compose::compose(&sources, roots, &prefix)
-        .map_err(|source| GenerateError::Compose { case: case.name.clone(), shader: kind.name(), source })?;
+    let sources: Vec<_> = std::iter::once(prelude.as_str())
+        .chain(files.iter().map(|file| file.source))
+        .collect();
+    let body = compose::compose(&sources, roots, &prefix).map_err(|source| GenerateError::Compose {
+        case: case.name.clone(),
+        shader: kind.name(),
+        source,
+    })?;
     let wgsl = header(case, table, kind) + &body;
 
     // Judge the text that is emitted, and write its words.
@@ -113,16 +129,25 @@ fn shader(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> Result<Shade
         ShaderKind::Function => Ok(Vec::new()),
         _ => spirv::write(&judged),
     });
-    let spirv =
-        words.map_err(|source| GenerateError::Judge { case: case.name.clone(), shader: kind.name(), source })?;
-    Ok(Shader { kind, wgsl: wgsl.into(), spirv: spirv.into() })
+    let spirv = words.map_err(|source| GenerateError::Judge {
+        case: case.name.clone(),
+        shader: kind.name(),
+        source,
+    })?;
+    Ok(Shader {
+        kind,
+        wgsl: wgsl.into(),
+        spirv: spirv.into(),
+    })
 }
 
 /// What the first lines of a module say: the case, its doc comment, what the module is, where it comes from.
 fn header(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> String {
     let what = match kind {
         ShaderKind::Capture => "renders casters into one tile of the shadow map; needs unclipped depth.",
-        ShaderKind::CaptureClamped => "renders casters into one tile of the shadow map; clamps depth by itself.",
+        ShaderKind::CaptureClamped => {
+            "renders casters into one tile of the shadow map; clamps depth by itself."
+        }
         ShaderKind::Mask => "turns the view's depth into a visibility mask.",
         ShaderKind::Function => "visibility of a point, for the engine's own materials.",
     };
@@ -131,7 +156,11 @@ fn header(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}", format!("// {doc}").trim_end());
     }
-    let _ = writeln!(text, "// Generated from light case `{}`, {:016x}. Do not edit.\n", case.name, table.fingerprint);
+    let _ = writeln!(
+        text,
+        "// Generated from light case `{}`, {:016x}. Do not edit.\n",
+        case.name, table.fingerprint
+    );
     text
 }
 
@@ -142,5 +171,7 @@ pub(crate) fn doc_lines(doc: &str) -> Vec<String> {
         letter if letter.is_control() => ' ',
         letter => letter,
     };
-    doc.lines().map(|line| line.trim().chars().map(harmless).collect()).collect()
+    doc.lines()
+        .map(|line| line.trim().chars().map(harmless).collect())
+        .collect()
 }

@@ -80,7 +80,11 @@ pub(crate) fn pick(case: &LightCase, shader: ShaderKind) -> (Vec<LibraryFile>, &
             &["visibility"]
         }
     };
-    let files = LIBRARY.iter().filter(|file| names.contains(&file.name)).copied().collect();
+    let files = LIBRARY
+        .iter()
+        .filter(|file| names.contains(&file.name))
+        .copied()
+        .collect();
     (files, roots)
 }
 
@@ -133,7 +137,9 @@ fn visibility(case: &LightCase) -> Vec<&'static str> {
 fn mask(case: &LightCase) -> Vec<&'static str> {
     let mut names = vec!["mask_vertex", "view_ray"];
     for interface in &case.resolve {
-        let Resolve::Mask { depth, normal } = *interface else { continue };
+        let Resolve::Mask { depth, normal } = *interface else {
+            continue;
+        };
         names.push(match depth {
             MaskDepth::ReversedZ => "depth_reversed_z",
             MaskDepth::Linear => "depth_linear",
@@ -146,3 +152,6 @@ fn mask(case: &LightCase) -> Vec<&'static str> {
     }
     names
 }
+
+#[cfg(test)]
+mod tests;

@@ -140,7 +140,7 @@ fn default_texts_mean_what_they_say() {
     fn nested(field: &Field) -> Vec<Default> {
         fields(&field.kind)
             .into_iter()
-            .flat_map(|field| nested(field))
+            .flat_map(nested)
             .chain([field.default])
             .collect()
     }

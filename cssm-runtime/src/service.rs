@@ -208,15 +208,7 @@ impl ShadowService {
         } = &self.gpu;
         let stride = layouts.uniforms.facet_stride;
         let mesh = |mesh| self.mesh(mesh);
-        capture.replay(
-            encoder,
-            &atlas.view,
-            &frame.slot,
-            stride,
-            &frame.commands,
-            mesh,
-            timestamps,
-        );
+        capture.replay(encoder, &atlas.view, frame, stride, mesh, timestamps);
         keep_until_done(encoder, frame);
         Ok(())
     }

@@ -7,6 +7,8 @@ pub mod casters;
 pub mod device;
 pub mod hand;
 pub mod images;
+pub mod yard;
 
 pub use casters::Geometry;
 pub use device::{TestDevice, exclusive, new_device};
+pub use yard::Yard;

@@ -1,3 +1,5 @@
 //! Cross-crate tests by intent.
 
+pub mod generated;
 pub mod gpu;
+pub mod random;

@@ -45,9 +45,12 @@ fn item<'a>(tokens: &'a [TokenTree], faults: &mut Faults) -> (Option<Item>, &'a 
             [
                 TokenTree::Punct(hash),
                 TokenTree::Punct(bang),
-                TokenTree::Group(_),
+                TokenTree::Group(group),
                 behind @ ..,
             ] if hash.as_char() == '#' && bang.as_char() == '!' => {
+                if doc_text(&[rest[0].clone(), group.clone().into()]).is_none() {
+                    faults.push(group.span(), "a file takes no attribute", "leave it out");
+                }
                 rest = behind;
             }
             [TokenTree::Punct(hash), TokenTree::Group(group), behind @ ..] if hash.as_char() == '#' => {

@@ -66,7 +66,7 @@ impl Scan<'_> {
                 self.close(at, letter);
                 next
             }
-            _ if !letter.is_ascii() && !(at == 0 && letter == '\u{feff}') => {
+            _ if !(letter.is_ascii() || (at == 0 && letter == '\u{feff}')) => {
                 let (message, remedy) = foreign(letter);
                 self.findings
                     .push(finding(message, remedy, at, letter.len_utf8()));

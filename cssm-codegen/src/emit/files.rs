@@ -53,7 +53,10 @@ impl Generated {
             match target {
                 Target::Wgsl => {
                     for shader in table.shaders.iter() {
-                        push(shader_name(table, shader, "wgsl"), shader.wgsl.as_bytes().to_vec());
+                        push(
+                            shader_name(table, shader, "wgsl"),
+                            shader.wgsl.as_bytes().to_vec(),
+                        );
                     }
                 }
                 Target::Spirv => {

@@ -64,3 +64,47 @@ pub(super) fn upper_camel(name: &str) -> String {
         "Sun".into()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{default_prefix, is_camel_case, is_prefix, upper_camel};
+
+    #[test]
+    fn every_case_name_has_a_prefix() {
+        let prefixes = [
+            ("Sun", "sun"),
+            ("LowSun", "low_sun"),
+            ("HDRSun", "hdr_sun"),
+            ("Pssm4Log", "pssm4_log"),
+            ("Pssm4", "pssm4_case"),
+            ("S", "s"),
+        ];
+        for (name, prefix) in prefixes {
+            assert!(is_camel_case(name), "{name}");
+            assert_eq!(default_prefix(name), prefix);
+            assert!(is_prefix(prefix), "{prefix}");
+        }
+        assert!(is_prefix(&default_prefix(&"Ab1".repeat(21))));
+    }
+
+    #[test]
+    fn names_that_break_shaders_or_files_are_refused() {
+        for prefix in [
+            "",
+            "Sun",
+            "sun2",
+            "_sun",
+            "sun_",
+            "s__n",
+            "s\u{f6}n",
+            "2sun",
+            &"s".repeat(65),
+        ] {
+            assert!(!is_prefix(prefix), "{prefix}");
+        }
+        for name in ["", "sun", "Self", "My_Sun", "S\u{f6}n", "2Sun"] {
+            assert!(!is_camel_case(name), "{name}");
+            assert!(is_camel_case(&upper_camel(name)), "{name}");
+        }
+    }
+}

@@ -7,6 +7,7 @@ use super::window::Window;
 use crate::case::{Bias, LightCase};
 use crate::depth::depth_row;
 use crate::facet::{Facet, FacetRows, Tile};
+use crate::footprint::quantile;
 use crate::homography::{Gradients, singular_values};
 use crate::plan::PlanError;
 use crate::technique::Situation;
@@ -58,7 +59,7 @@ pub(super) fn finish(window: Window<'_>, tile: Tile, situation: &Situation<'_>) 
     })
 }
 
-/// Mean texel axes across the light in metres, divided by w.
+/// Median texel axes across the light in metres, divided by w.
 struct TexelsPerW {
     major: f64,
     minor: f64,
@@ -66,20 +67,22 @@ struct TexelsPerW {
 
 impl TexelsPerW {
     fn measure(rows: &FacetRows, tile: &Tile, samples: &[DVec3]) -> Self {
-        let mut sum = Self { major: 0.0, minor: 0.0 };
-        let mut count = 0.0;
+        let (mut majors, mut minors) = (Vec::new(), Vec::new());
         for point in samples {
             let gradients = Gradients::at(rows, *point);
             let (across, up) = gradients.across_light();
             let (across, up) = (across * (2.0 / f64::from(tile.width)), up * (2.0 / f64::from(tile.height)));
             let (major, minor) = singular_values(across, up);
             if major.is_finite() && gradients.w > 0.0 {
-                sum.major += major / gradients.w;
-                sum.minor += minor / gradients.w;
-                count += 1.0;
+                majors.push(major / gradients.w);
+                minors.push(minor / gradients.w);
             }
         }
-        Self { major: sum.major / f64::max(count, 1.0), minor: sum.minor / f64::max(count, 1.0) }
+        let median = |mut values: Vec<f64>| {
+            values.sort_by(f64::total_cmp);
+            if values.is_empty() { 0.0 } else { quantile(&values, 0.5) }
+        };
+        Self { major: median(majors), minor: median(minors) }
     }
 }
 

@@ -5,13 +5,15 @@ use glam::{DVec3, DVec4};
 use crate::facet::FacetRows;
 use crate::homography::Gradients;
 use crate::layout::{Gram, TileDemand};
-use crate::samples;
+use crate::samples::{self, SAMPLED_HORIZON_METRES};
 use crate::technique::{Draft, FacetDraft, Situation};
 
 /// Sample receivers of a view.
 const SAMPLES: usize = 1024;
 /// Fewest samples of a facet; the rest come from its own polytope.
 const FEWEST_SAMPLES: usize = 24;
+/// Deepest inner point of a facet that begins beyond the sampled horizon, in depths of its nearest receiver.
+const FARTHEST_PER_NEAREST: f64 = 4.0;
 /// Extent in x/w or y/w, relative to its size, below which a facet holds no receivers of any area.
 const EMPTY_EXTENT: f64 = 1e-12;
 
@@ -75,17 +77,17 @@ fn gram(rows: &FacetRows, situation: &Situation<'_>, point: DVec3) -> Option<Gra
     (gram.xx.is_finite() && gram.yy.is_finite()).then_some(gram)
 }
 
-/// Points spread inside a facet's receivers: random positive weights on its vertices.
+/// Points spread inside a facet's receivers, to the sampled horizon: random positive weights on its vertices.
 fn inner_points(facet: &FacetDraft, count: usize) -> Vec<DVec3> {
     const STEP: f64 = 0.618_033_988_749_894_9;
-    let finite = facet.receivers.vertices.iter().filter(|vertex| vertex.w > 0.0);
-    let reach = finite.map(|vertex| vertex.truncate().length()).fold(0.0, f64::max);
+    const DEPTH: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
+    let horizon = SAMPLED_HORIZON_METRES.max(FARTHEST_PER_NEAREST * facet.receivers.range(DEPTH).0);
+    let near = facet.receivers.cut_by(&[DVec4::W * horizon - DEPTH]);
     let point = |index: usize| {
         let mut sum = DVec4::ZERO;
-        for (k, vertex) in facet.receivers.vertices.iter().enumerate() {
+        for (k, vertex) in near.vertices.iter().enumerate() {
             let unit = ((index * 37 + k * 11 + 1) as f64 * STEP).fract();
-            let weight = -libm::log(unit.max(1e-9));
-            sum += *vertex * if vertex.w > 0.0 { weight } else { weight * reach };
+            sum += *vertex * -libm::log(unit.max(1e-9));
         }
         sum.truncate() / sum.w
     };

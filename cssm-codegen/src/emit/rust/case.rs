@@ -43,7 +43,7 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
         #docs
         pub fn case() -> #crate_path::core::LightCase {
             use #crate_path::core::case::*;
-            use #crate_path::core::schema::{Arguments, Value, Word};
+            use #crate_path::core::schema::*;
             LightCase {
                 name: #name.into(),
                 doc: #case_doc.into(),
@@ -66,7 +66,13 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
 }
 
 fn map_spec(map: &MapSpec) -> TokenStream {
-    let MapSpec { width, height, columns, format, gutter } = *map;
+    let MapSpec {
+        width,
+        height,
+        columns,
+        format,
+        gutter,
+    } = *map;
     let (width, height) = (number(width), number(height));
     let (columns, gutter) = (option(columns.map(number)), option(gutter.map(number)));
     let format = variant("DepthFormat", &format);

@@ -1,0 +1,212 @@
+//! The library's own rules: every file is valid, is used, and reads well.
+
+use std::collections::BTreeSet;
+
+use cssm_core::LightCase;
+use cssm_core::case::{Bias, Filter, MaskDepth, MaskNormal, Resolve};
+use cssm_core::schema::Word;
+use cssm_core::table::{CaseTable, ShaderKind};
+
+use super::{LIBRARY, pick};
+use crate::compose::Prefix;
+use crate::{judge, prelude, wgsl};
+
+const SHADERS: [ShaderKind; 4] =
+    [ShaderKind::Capture, ShaderKind::CaptureClamped, ShaderKind::Mask, ShaderKind::Function];
+
+/// Cases that together take every alternative of every slot.
+fn cases() -> Vec<LightCase> {
+    let biases = [
+        Bias::None,
+        Bias::Constant { along_light_metres: 0.05 },
+        Bias::Slope { texels: 1.5 },
+        Bias::WorldTexel { a_metres: 0.01, b_texels: 1.5 },
+        Bias::ReceiverPlane,
+    ];
+    let filters = [Filter::None, Filter::Hardware2x2, Filter::Gather2x2];
+    let mut cases = Vec::new();
+    for bias in biases {
+        for filter in filters {
+            let normals = match bias.reads_normal() {
+                true => &[MaskNormal::Reconstructed, MaskNormal::Texture][..],
+                false => &[MaskNormal::Reconstructed],
+            };
+            for (normal, depth) in normals.iter().flat_map(|normal| {
+                [MaskDepth::ReversedZ, MaskDepth::Linear].map(|depth| (*normal, depth))
+            }) {
+                let interfaces = [Resolve::Mask { depth, normal }, Resolve::Function { group: 3 }];
+                let case = || LightCase::builder("Reference").bias(bias).filter(filter).resolve(&interfaces);
+                let bounded = || case().shadow_distance_metres(1000.0);
+                cases.push(case().build());
+                cases.push(case().bands(1, 1e5).build());
+                cases.push(bounded().technique(Word::plain("standard")).build());
+                cases.push(bounded().technique(Word::plain("parallel_split")).build());
+            }
+        }
+    }
+    cases.into_iter().collect::<Result<_, _>>().unwrap()
+}
+
+/// The picked files of a case as they stand, whole, under the library's own names.
+fn whole_files(case: &LightCase, shader: ShaderKind) -> String {
+    let prelude = prelude::prelude(&CaseTable::describe(case), shader, &Prefix::new(&case.prefix));
+    let (files, _) = pick(case, shader);
+    prelude + &files.iter().map(|file| file.source).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn every_file_is_picked_by_some_case() {
+    let mut picked = BTreeSet::new();
+    for case in cases() {
+        for shader in SHADERS {
+            picked.extend(pick(&case, shader).0.into_iter().map(|file| file.name));
+        }
+    }
+    let missing: Vec<_> = LIBRARY.iter().filter(|file| !picked.contains(file.name)).collect();
+    assert!(missing.is_empty(), "no case takes {missing:?}");
+}
+
+#[test]
+fn every_file_is_on_the_list() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/shaders");
+    let mut found: Vec<_> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap().replace(".wgsl", ""))
+        .collect();
+    let mut listed: Vec<_> = LIBRARY.iter().map(|file| file.name.to_owned()).collect();
+    found.sort();
+    listed.sort();
+    assert_eq!(found, listed);
+}
+
+#[test]
+fn whole_files_are_valid_as_they_stand() {
+    for case in cases() {
+        for shader in SHADERS {
+            let text = whole_files(&case, shader);
+            if let Err(error) = judge::validate(&text) {
+                panic!("{}, {}: {error}", shader.name(), case.bias.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn no_name_ends_in_a_digit_and_no_local_name_hides_a_declaration() {
+    for case in cases() {
+        for shader in SHADERS {
+            let judged = judge::validate(&whole_files(&case, shader)).unwrap();
+            let (declared, local) = names(&judged.module);
+            for name in declared.union(&local) {
+                assert!(!name.ends_with(|last: char| last.is_ascii_digit()), "`{name}` ends in a digit");
+            }
+            let hidden: Vec<_> = declared.intersection(&local).collect();
+            assert!(hidden.is_empty(), "{hidden:?} would be prefixed where they are local");
+        }
+    }
+}
+
+/// Names at module scope, and names of members, parameters and locals.
+fn names(module: &naga::Module) -> (BTreeSet<String>, BTreeSet<String>) {
+    let mut declared = BTreeSet::new();
+    let mut local = BTreeSet::new();
+    declared.extend(module.constants.iter().filter_map(|(_, constant)| constant.name.clone()));
+    declared.extend(module.global_variables.iter().filter_map(|(_, global)| global.name.clone()));
+    for (_, ty) in module.types.iter() {
+        declared.extend(ty.name.clone());
+        if let naga::TypeInner::Struct { members, .. } = &ty.inner {
+            local.extend(members.iter().filter_map(|member| member.name.clone()));
+        }
+    }
+    let functions = module.functions.iter().map(|(_, function)| function);
+    for function in functions.chain(module.entry_points.iter().map(|entry| &entry.function)) {
+        declared.extend(function.name.clone());
+        local.extend(function.arguments.iter().filter_map(|argument| argument.name.clone()));
+        local.extend(function.local_variables.iter().filter_map(|(_, variable)| variable.name.clone()));
+        local.extend(function.named_expressions.values().cloned());
+    }
+    // Members of records are declared by the table and only ever follow a dot.
+    (declared, local)
+}
+
+#[test]
+fn no_branch_depends_on_constants_alone() {
+    for case in cases() {
+        for shader in SHADERS {
+            let judged = judge::validate(&whole_files(&case, shader)).unwrap();
+            let functions = judged.module.functions.iter().map(|(_, function)| function);
+            for function in functions.chain(judged.module.entry_points.iter().map(|entry| &entry.function)) {
+                assert!(!branches_on_constant(&function.body, function), "{:?}", function.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_branch_lint_finds_a_branch_on_a_constant() {
+    let text = "const ON: bool = true;\nfn f(x: f32) -> f32 { if ON { return x; } return 2.0 * x; }";
+    let judged = judge::validate(text).unwrap();
+    let (_, function) = judged.module.functions.iter().next().unwrap();
+    assert!(branches_on_constant(&function.body, function));
+}
+
+fn branches_on_constant(block: &naga::Block, function: &naga::Function) -> bool {
+    use naga::{Expression, Statement};
+    let is_constant = |condition: &naga::Handle<Expression>| {
+        matches!(function.expressions[*condition], Expression::Literal(_) | Expression::Constant(_))
+    };
+    block.iter().any(|statement| match statement {
+        Statement::If { condition, accept, reject } => {
+            // A loop's own head may compare with a literal; a literal itself may not decide.
+            is_constant(condition)
+                || branches_on_constant(accept, function)
+                || branches_on_constant(reject, function)
+        }
+        Statement::Block(inner) => branches_on_constant(inner, function),
+        Statement::Loop { body, continuing, .. } => {
+            branches_on_constant(body, function) || branches_on_constant(continuing, function)
+        }
+        Statement::Switch { selector, cases } => {
+            is_constant(selector) || cases.iter().any(|case| branches_on_constant(&case.body, function))
+        }
+        _ => false,
+    })
+}
+
+#[test]
+fn every_parameter_and_local_is_read() {
+    for file in LIBRARY {
+        for declaration in wgsl::declarations(file.source) {
+            let words: Vec<_> = wgsl::references(declaration.text).collect();
+            let Some(parameters) = parameters(declaration.text) else { continue };
+            let locals = words.windows(2).filter(|pair| matches!(pair[0], "let" | "var")).map(|pair| pair[1]);
+            for name in parameters.into_iter().chain(locals) {
+                let uses = words.iter().filter(|word| **word == name).count();
+                assert!(uses > 1, "`{name}` of `{}` in {} is never read", declaration.name, file.name);
+            }
+        }
+    }
+}
+
+fn parameters(function: &str) -> Option<Vec<&str>> {
+    let (_, rest) = function.split_once("fn ")?;
+    let (_, rest) = rest.split_once('(')?;
+    let (list, _) = rest.split_once('{')?;
+    let names = list.split(':').filter_map(|part| part.split([' ', ',', '(', ')', '\n']).rfind(|word| !word.is_empty()));
+    let count = list.matches(": ").count();
+    Some(names.take(count).collect())
+}
+
+#[test]
+fn every_declaration_is_documented_and_lines_are_short() {
+    const WIDTH: usize = 120;
+    for file in LIBRARY {
+        assert!(file.source.starts_with("// "), "{} does not say what it is", file.name);
+        for line in file.source.lines() {
+            assert!(line.chars().count() <= WIDTH && line == line.trim_end(), "{}: {line}", file.name);
+        }
+        for declaration in wgsl::declarations(file.source) {
+            assert!(declaration.text.starts_with("///"), "`{}` in {} has no comment", declaration.name, file.name);
+        }
+    }
+}

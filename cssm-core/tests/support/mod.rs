@@ -1,0 +1,90 @@
+//! Shared inputs of the core tests: a seeded generator, cases, views and lights at the extremes.
+
+#![allow(dead_code, reason = "each test file uses its part")]
+
+use cssm_core::glam::DVec3;
+use cssm_core::schema::{Value, Word};
+use cssm_core::{Light, LightCase, View};
+
+/// xorshift64*: small, seeded, the same everywhere.
+pub(crate) struct Random(u64);
+
+impl Random {
+    pub(crate) fn new(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
+    }
+
+    pub(crate) fn bits(&mut self) -> u64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
+    }
+
+    /// Uniform in [0, 1).
+    pub(crate) fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    pub(crate) fn direction(&mut self) -> DVec3 {
+        loop {
+            let cube = DVec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0));
+            if (0.01..1.0).contains(&cube.length()) {
+                return cube.normalize();
+            }
+        }
+    }
+}
+
+/// A case of each technique at a map size.
+pub(crate) fn cases(size: u32, shadow_distance: f64) -> Vec<LightCase> {
+    let split = |scheme: &'static str, splits: u32| {
+        let arguments = [("splits", Value::Count(splits)), ("scheme", Value::Word(Word::plain(scheme)))];
+        Word::with("parallel_split", arguments)
+    };
+    let bounded = |name: &str, technique: Word| {
+        let builder = LightCase::builder(name).technique(technique).shadow_distance_metres(shadow_distance);
+        builder.map_size_texels(size, size).build().unwrap()
+    };
+    vec![
+        bounded("Standard", Word::plain("standard")),
+        bounded("Logarithmic", split("logarithmic", 4)),
+        bounded("Uniform", split("uniform", 3)),
+        LightCase::builder("Faces").bands(8, 1e5).map_size_texels(size, size).build().unwrap(),
+        LightCase::builder("Column").bands(1, 1e5).map_size_texels(size, size).build().unwrap(),
+        LightCase::builder("Fine").bands(16, 1e5).map_size_texels(size, size).build().unwrap(),
+    ]
+}
+
+/// Direction towards the light in camera space: azimuth 0 ahead, 90 right, 180 behind.
+pub(crate) fn toward(elevation_degrees: f64, azimuth_degrees: f64) -> DVec3 {
+    let (elevation, azimuth) = (elevation_degrees.to_radians(), azimuth_degrees.to_radians());
+    DVec3::new(elevation.cos() * azimuth.sin(), elevation.sin(), -elevation.cos() * azimuth.cos())
+}
+
+pub(crate) fn sun(toward_light_world: DVec3) -> Light {
+    Light::directional_travelling(-toward_light_world).unwrap()
+}
+
+pub(crate) fn level_view(near: f64, far: f64) -> View {
+    let size = (1080, 1080);
+    View::perspective(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 60_f64.to_radians(), near, far, size).unwrap()
+}
+
+/// A tilted, turned view far from the origin.
+pub(crate) fn turned_view(near: f64, far: f64) -> View {
+    let eye = DVec3::new(1200.0, 30.0, -800.0);
+    let target = eye + DVec3::new(0.5, -0.2, 0.8);
+    View::perspective(eye, target, DVec3::Y, 75_f64.to_radians(), near, far, (1920, 1080)).unwrap()
+}
+
+/// The same view off-centre.
+pub(crate) fn off_centre_view(near: f64, far: f64) -> View {
+    let mut view = turned_view(near, far);
+    (view.left, view.right, view.bottom, view.top) = (-0.1, 1.3, -0.9, 0.2);
+    view
+}

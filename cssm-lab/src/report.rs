@@ -1,0 +1,198 @@
+//! What a run found, as JSON.
+
+use std::path::Path;
+
+use cssm_core::{Light, footprint};
+use serde::Serialize;
+
+use crate::error::LabError;
+use crate::gpu::ResolveMethod;
+use crate::score::Score;
+use crate::score::statistics::Percentiles;
+use crate::stage::{Attempt, Outcome};
+use crate::timing::Timing;
+
+/// One case on one view.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Report {
+    /// Name of the case.
+    pub case: String,
+    /// Its technique.
+    pub technique: &'static str,
+    /// The configuration that the plan chose.
+    pub configuration: &'static str,
+    /// The scene.
+    pub scene: String,
+    /// Triangles of the scene, instances counted.
+    pub scene_triangles: u64,
+    /// The view.
+    pub view: ViewReport,
+    /// The interface that resolved.
+    pub resolve: &'static str,
+    /// Facets of the plan.
+    pub facets: u64,
+    /// The map.
+    pub map: MapReport,
+    /// Texel footprint across the light over the visible pixels, in pixels.
+    pub footprint: Percentiles,
+    /// Geometric mean of its axes.
+    pub geometric_footprint: Percentiles,
+    /// Texel footprint on the light-facing visible surfaces, in pixels.
+    pub surface_footprint: Percentiles,
+    /// How much of the map is used.
+    pub utilisation: Utilisation,
+    /// Leak, acne, edges, seams.
+    pub score: Score,
+    /// Draw calls of the capture.
+    pub draws: u64,
+    /// Instances drawn by the capture, all facets together.
+    pub instances_submitted: u64,
+    /// Triangles drawn by the capture, all facets together.
+    pub triangles_submitted: u64,
+    /// The same for each facet.
+    pub facet_statistics: Vec<FacetReport>,
+    /// Median time of planning, microseconds.
+    pub plan_microseconds: f64,
+    /// Time of generating shaders and tables, milliseconds.
+    pub generate_milliseconds: f64,
+    /// Times of the passes.
+    pub time: Option<Timing>,
+    /// The adapter.
+    pub adapter: String,
+}
+
+/// The view and the light of a report.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ViewReport {
+    /// Eye in world space, metres.
+    pub eye: [f64; 3],
+    /// Direction of the view, world axes.
+    pub direction: [f64; 3],
+    /// Vertical field of view in degrees.
+    pub fov_y_degrees: f64,
+    /// Near plane, metres.
+    pub near: f64,
+    /// Far plane, metres; absent at infinity.
+    pub far: Option<f64>,
+    /// Width and height in pixels.
+    pub size: (u32, u32),
+    /// Direction in which the light travels, world axes.
+    pub light: [f64; 3],
+}
+
+/// The map of a report.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct MapReport {
+    /// Width in texels.
+    pub width: u32,
+    /// Height in texels.
+    pub height: u32,
+    /// Number of texels.
+    pub texels: u64,
+    /// Bytes.
+    pub bytes: u64,
+}
+
+/// Shares of the map's texels.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Utilisation {
+    /// Read by at least one visible pixel.
+    pub scene: f64,
+    /// Their beam meets the visible volume.
+    pub beam: f64,
+}
+
+/// Counts of one facet.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct FacetReport {
+    /// Its index.
+    pub facet: u32,
+    /// Draw calls.
+    pub draws: u64,
+    /// Instances.
+    pub instances: u64,
+    /// Triangles.
+    pub triangles: u64,
+}
+
+impl Report {
+    /// Gathers what an attempt found.
+    pub fn new(attempt: &Attempt<'_>, outcome: &Outcome, time: Option<Timing>) -> Self {
+        let (stage, plan, statistics) = (attempt.stage(), &attempt.plan, attempt.statistics());
+        let view = &stage.view;
+        let Light::Directional { toward_light_world } = stage.light;
+        let texels = u64::from(plan.map_size_texels.0) * u64::from(plan.map_size_texels.1);
+        let field = 2.0 * libm::atan(0.5 * (view.top - view.bottom));
+        Self {
+            case: attempt.case.name.clone(),
+            technique: attempt.case.technique.name,
+            configuration: plan.configuration,
+            scene: stage.scene.name.clone(),
+            scene_triangles: stage.scene.triangles() as u64,
+            view: ViewReport {
+                eye: view.eye_world.to_array(),
+                direction: (-view.camera_from_world.row(2)).to_array(),
+                fov_y_degrees: field.to_degrees(),
+                near: view.near_metres,
+                far: Some(view.far_metres).filter(|far| far.is_finite()),
+                size: view.size_pixels,
+                light: (-toward_light_world).to_array(),
+            },
+            resolve: match attempt.method {
+                ResolveMethod::Function => "function",
+                ResolveMethod::Mask => "mask",
+            },
+            facets: plan.facets.len() as u64,
+            map: MapReport {
+                width: plan.map_size_texels.0,
+                height: plan.map_size_texels.1,
+                texels,
+                bytes: texels * u64::from(attempt.case.map.format.bytes_per_texel()),
+            },
+            footprint: outcome.footprint.volume,
+            geometric_footprint: outcome.footprint.geometric,
+            surface_footprint: outcome.footprint.surface,
+            utilisation: Utilisation {
+                scene: outcome.assignment.scene_utilisation,
+                beam: footprint::beam_utilisation(plan),
+            },
+            score: outcome.score.clone(),
+            draws: u64::from(statistics.draws),
+            instances_submitted: statistics.instances,
+            triangles_submitted: statistics.triangles,
+            facet_statistics: statistics
+                .facets
+                .iter()
+                .map(|facet| FacetReport {
+                    facet: facet.facet,
+                    draws: u64::from(facet.draws),
+                    instances: facet.instances,
+                    triangles: facet.triangles,
+                })
+                .collect(),
+            plan_microseconds: attempt.plan_microseconds,
+            generate_milliseconds: attempt.generate_milliseconds,
+            time,
+            adapter: stage.gpu().adapter(),
+        }
+    }
+}
+
+/// Writes a value as JSON that people can read.
+///
+/// # Errors
+/// When the file cannot be written.
+pub fn write_json(path: &Path, value: &impl Serialize) -> Result<(), LabError> {
+    let fail = |source| LabError::Write { path: path.to_owned(), source };
+    let mut text = serde_json::to_string_pretty(value).map_err(|error| fail(error.into()))?;
+    text.push('\n');
+    std::fs::write(path, text).map_err(fail)
+}
+
+/// Creates a folder and those it lies in.
+///
+/// # Errors
+/// When it cannot be created.
+pub fn create_folder(path: &Path) -> Result<(), LabError> {
+    std::fs::create_dir_all(path).map_err(|source| LabError::Write { path: path.to_owned(), source })
+}

@@ -75,7 +75,9 @@ pub enum LabError {
         source: std::io::Error,
     },
     /// No map size could be judged.
-    #[error("no map size left at least {wrong_pixels} wrong pixels and {interior_percent} % interior; take another view or a larger image")]
+    #[error(
+        "no map size left at least {wrong_pixels} wrong pixels and {interior_percent} % interior; take another view or a larger image"
+    )]
     NothingJudged {
         /// Fewest wrong pixels that are judged.
         wrong_pixels: u64,

@@ -33,13 +33,17 @@ pub struct Gpu {
 #[derive(Debug, thiserror::Error)]
 pub enum GpuError {
     /// No adapter.
-    #[error("no graphics adapter was found ({0}); install a Vulkan driver, such as Debian's mesa-vulkan-drivers and libvulkan1")]
+    #[error(
+        "no graphics adapter was found ({0}); install a Vulkan driver, such as Debian's mesa-vulkan-drivers and libvulkan1"
+    )]
     NoAdapter(#[from] wgpu::RequestAdapterError),
     /// No device.
     #[error("the adapter gives no device: {0}; close other programs that use it or update its driver")]
     NoDevice(#[from] wgpu::RequestDeviceError),
     /// The image is larger than a texture may be.
-    #[error("an image of {width} x {height} pixels exceeds the adapter's limit of {limit} a side; ask for a smaller --size")]
+    #[error(
+        "an image of {width} x {height} pixels exceeds the adapter's limit of {limit} a side; ask for a smaller --size"
+    )]
     ImageTooLarge {
         /// Width in pixels.
         width: u32,
@@ -49,7 +53,9 @@ pub enum GpuError {
         limit: u32,
     },
     /// The device refused something of the lab's own.
-    #[error("the device refused {what}: {reason}; update the driver, or report the declaration that leads here")]
+    #[error(
+        "the device refused {what}: {reason}; update the driver, or report the declaration that leads here"
+    )]
     Refused {
         /// What was to be created.
         what: &'static str,
@@ -57,7 +63,9 @@ pub enum GpuError {
         reason: String,
     },
     /// The case does not declare the interface.
-    #[error("case {case} does not declare resolve: {method}; add it to the declaration or choose another --resolve")]
+    #[error(
+        "case {case} does not declare resolve: {method}; add it to the declaration or choose another --resolve"
+    )]
     NotDeclared {
         /// The case.
         case: String,
@@ -109,12 +117,22 @@ impl Gpu {
             required_limits: limits,
             ..Default::default()
         }))?;
-        Ok(Self { device, queue, info: adapter.get_info() })
+        Ok(Self {
+            device,
+            queue,
+            info: adapter.get_info(),
+        })
     }
 
     /// Name, backend and driver of the adapter, for reports.
     pub fn adapter(&self) -> String {
-        let wgpu::AdapterInfo { name, backend, driver, driver_info, .. } = &self.info;
+        let wgpu::AdapterInfo {
+            name,
+            backend,
+            driver,
+            driver_info,
+            ..
+        } = &self.info;
         format!("{name} ({backend:?}, {driver} {driver_info})")
     }
 
@@ -128,10 +146,16 @@ impl Gpu {
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let created = create();
-        let errors = [pollster::block_on(validation.pop()), pollster::block_on(memory.pop())];
+        let errors = [
+            pollster::block_on(validation.pop()),
+            pollster::block_on(memory.pop()),
+        ];
         match errors.into_iter().flatten().next() {
             None => Ok(created),
-            Some(error) => Err(GpuError::Refused { what, reason: error.to_string() }),
+            Some(error) => Err(GpuError::Refused {
+                what,
+                reason: error.to_string(),
+            }),
         }
     }
 
@@ -145,7 +169,11 @@ impl Gpu {
         self.checked("an image", || {
             self.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some("cssm lab"),
-                size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+                size: wgpu::Extent3d {
+                    width,
+                    height,
+                    depth_or_array_layers: 1,
+                },
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,

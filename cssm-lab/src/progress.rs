@@ -25,7 +25,11 @@ impl Progress {
 
     /// A sign of life for work without steps.
     pub fn spinner(self, doing: &str) -> ProgressBar {
-        self.with_style(ProgressBar::new_spinner(), ProgressStyle::with_template("{msg:32} {spinner}  {elapsed}"), doing)
+        self.with_style(
+            ProgressBar::new_spinner(),
+            ProgressStyle::with_template("{msg:32} {spinner}  {elapsed}"),
+            doing,
+        )
     }
 
     fn with_style(

@@ -59,8 +59,14 @@ impl std::fmt::Display for Interval {
 ///
 /// # Errors
 /// What the device says.
-pub fn time_in_turns(attempts: &[Attempt<'_>], runs: usize, progress: Progress) -> Result<Vec<Timing>, LabError> {
-    let Some(first) = attempts.first() else { return Ok(Vec::new()) };
+pub fn time_in_turns(
+    attempts: &[Attempt<'_>],
+    runs: usize,
+    progress: Progress,
+) -> Result<Vec<Timing>, LabError> {
+    let Some(first) = attempts.first() else {
+        return Ok(Vec::new());
+    };
     let stopwatch = Stopwatch::new(first.stage().gpu())?;
     let mut times: Vec<Vec<PassTimes>> = vec![Vec::with_capacity(runs); attempts.len()];
     let bar = progress.bar(((WARM_UP_RUNS + runs) * attempts.len()) as u64, "timing passes");

@@ -55,15 +55,22 @@ impl Frame {
         let (width, height) = (view.size_pixels.0 as usize, view.size_pixels.1 as usize);
         let mut pixels = vec![None; width * height];
         let Light::Directional { toward_light_world } = *light;
-        pixels.par_chunks_mut(width * ROWS_PER_TASK).enumerate().for_each_init(Vec::new, |stack, (chunk, pixels)| {
-            for (index, pixel) in pixels.iter_mut().enumerate() {
-                let (x, y) = (index % width, chunk * ROWS_PER_TASK + index / width);
-                let ray = view.ray_world(x as f64 + 0.5, y as f64 + 0.5);
-                *pixel = trace_pixel(tracer, view, toward_light_world, ray, stack);
-            }
-            progress((pixels.len() / width) as u64);
-        });
-        Self { width, height, pixels }
+        pixels
+            .par_chunks_mut(width * ROWS_PER_TASK)
+            .enumerate()
+            .for_each_init(Vec::new, |stack, (chunk, pixels)| {
+                for (index, pixel) in pixels.iter_mut().enumerate() {
+                    let (x, y) = (index % width, chunk * ROWS_PER_TASK + index / width);
+                    let ray = view.ray_world(x as f64 + 0.5, y as f64 + 0.5);
+                    *pixel = trace_pixel(tracer, view, toward_light_world, ray, stack);
+                }
+                progress((pixels.len() / width) as u64);
+            });
+        Self {
+            width,
+            height,
+            pixels,
+        }
     }
 
     /// The pixel at a place.
@@ -73,7 +80,10 @@ impl Frame {
 
     /// Pixels that see a surface, with their index.
     pub fn visible(&self) -> impl Iterator<Item = (usize, &Visible)> {
-        self.pixels.iter().enumerate().filter_map(|(index, pixel)| Some((index, pixel.as_ref()?)))
+        self.pixels
+            .iter()
+            .enumerate()
+            .filter_map(|(index, pixel)| Some((index, pixel.as_ref()?)))
     }
 }
 
@@ -92,7 +102,8 @@ fn trace_pixel(
 
     // Ask for anything between it and the light.
     let world = view.eye_world + position;
-    let start = START_RELATIVE * (world.abs().max_element() + view.eye_world.abs().max_element() + hit.distance);
+    let start =
+        START_RELATIVE * (world.abs().max_element() + view.eye_world.abs().max_element() + hit.distance);
     let shadowed = tracer.blocked(world, toward_light, start, hit.triangle, stack);
     Some(Visible {
         position,

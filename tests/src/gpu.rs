@@ -7,6 +7,7 @@ pub mod casters;
 pub mod device;
 pub mod hand;
 pub mod images;
+pub mod resolve;
 pub mod yard;
 
 pub use casters::Geometry;

@@ -15,12 +15,7 @@ pub fn cases(seed: u64, count: usize) -> Vec<LightCase> {
         // Contradictions between fields are refused by the case itself: draw again.
         let name = format!("Random{}", letters(cases.len()));
         let arguments = arguments(FIELDS, &mut random);
-        cases.extend(LightCase::from_arguments(
-            &name,
-            "",
-            random.below(2) == 0,
-            &arguments,
-        ));
+        cases.extend(LightCase::from_arguments(&name, "", random.below(2) == 0, &arguments));
     }
     cases
 }
@@ -100,10 +95,7 @@ fn value(kind: &'static Kind, random: &mut Random) -> Option<Value> {
 
 fn word(choices: &'static [Choice], random: &mut Random) -> Option<Word> {
     let choice = choices.get(random.below(choices.len()))?;
-    Some(Word {
-        name: choice.name,
-        arguments: arguments(choice.arguments, random),
-    })
+    Some(Word { name: choice.name, arguments: arguments(choice.arguments, random) })
 }
 
 /// Small numbers are as likely as large ones; closed ends come up often.
@@ -118,9 +110,7 @@ fn number(min: f64, max: f64, open: bool, random: &mut Random) -> f64 {
 /// Prefixes of one to three words; keywords of Rust and of WGSL are among them.
 fn prefix(random: &mut Random) -> String {
     const WORDS: [&str; 8] = ["sun", "fn", "struct", "self", "l0w", "x", "texture", "match"];
-    let words: Vec<_> = (0..=random.below(3))
-        .map(|_| WORDS[random.below(WORDS.len())])
-        .collect();
+    let words: Vec<_> = (0..=random.below(3)).map(|_| WORDS[random.below(WORDS.len())]).collect();
     words.join("_")
 }
 

@@ -17,14 +17,7 @@ fn draw(gpu: &TestDevice, service: &mut ShadowService) -> Result<Vec<f32>, Servi
     let buffers = Geometry::cuboid([-1.0; 3], [1.0; 3]).upload(gpu);
     let mesh = service.add_mesh(&buffers.description())?;
     let world_from_object = DAffine3::from_translation(eye);
-    let frame = service.prepare(
-        &plan,
-        &view,
-        &[CasterInstance {
-            mesh,
-            world_from_object,
-        }],
-    )?;
+    let frame = service.prepare(&plan, &view, &[CasterInstance { mesh, world_from_object }])?;
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     service.capture(&mut encoder, &frame, None)?;
     gpu.queue.submit([encoder.finish()]);
@@ -40,9 +33,7 @@ fn a_lost_device_is_noticed_and_rebuilt() {
     // The engine has a callback of its own, which the service must leave in place.
     let told = Arc::new(AtomicBool::new(false));
     let engine = Arc::clone(&told);
-    first
-        .device
-        .set_device_lost_callback(move |_, _| engine.store(true, Ordering::SeqCst));
+    first.device.set_device_lost_callback(move |_, _| engine.store(true, Ordering::SeqCst));
 
     let before = draw(&first, &mut service).unwrap();
     assert!(before.iter().any(|depth| *depth < 1.0));
@@ -57,39 +48,24 @@ fn a_lost_device_is_noticed_and_rebuilt() {
     // Lose it: everything that would upload or read says so, and nothing panics.
     first.device.destroy();
     assert!(service.device_lost());
-    let casters = [CasterInstance {
-        mesh,
-        world_from_object: DAffine3::IDENTITY,
-    }];
-    assert!(matches!(
-        service.prepare(&plan, &view, &casters),
-        Err(ServiceError::DeviceLost)
-    ));
+    let casters = [CasterInstance { mesh, world_from_object: DAffine3::IDENTITY }];
+    assert!(matches!(service.prepare(&plan, &view, &casters), Err(ServiceError::DeviceLost)));
     assert!(matches!(service.read_map(), Err(ServiceError::DeviceLost)));
-    assert!(matches!(
-        service.rebuild(&first.device, &first.queue),
-        Err(ServiceError::DeviceLost)
-    ));
+    assert!(matches!(service.rebuild(&first.device, &first.queue), Err(ServiceError::DeviceLost)));
     let refused = ShadowService::new(&first.device, &first.queue, &table, &Options::default());
     assert!(matches!(refused, Err(ServiceError::DeviceLost)));
     let mut encoder = first.device.create_command_encoder(&Default::default());
     service.capture(&mut encoder, &frame, None).unwrap();
     drop(encoder);
     let _ = first.device.poll(wgpu::PollType::wait_indefinitely());
-    assert!(
-        told.load(Ordering::SeqCst),
-        "the engine's own callback was called"
-    );
+    assert!(told.load(Ordering::SeqCst), "the engine's own callback was called");
 
     // Rebuild on another one: old handles are refused, new ones draw the same map.
     let second = new_device(wgpu::Features::all());
     service.rebuild(&second.device, &second.queue).unwrap();
     assert!(!service.device_lost());
     let mut encoder = second.device.create_command_encoder(&Default::default());
-    assert!(matches!(
-        service.capture(&mut encoder, &frame, None),
-        Err(ServiceError::StaleFrame { .. })
-    ));
+    assert!(matches!(service.capture(&mut encoder, &frame, None), Err(ServiceError::StaleFrame { .. })));
     assert!(matches!(
         service.prepare(&plan, &view, &casters),
         Err(ServiceError::UnknownMesh { instance: 0 })

@@ -37,10 +37,7 @@ fn captured(
     let mesh = service.add_mesh(&buffers.description()).unwrap();
     let view = view(eye);
     let plan = plan_from_above(&view, HALF, TOP, BOTTOM);
-    let casters = [CasterInstance {
-        mesh,
-        world_from_object: at,
-    }];
+    let casters = [CasterInstance { mesh, world_from_object: at }];
     let frame = service.prepare(&plan, &view, &casters).unwrap();
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     service.capture(&mut encoder, &frame, None).unwrap();
@@ -60,10 +57,7 @@ fn depth(height: f64) -> f32 {
 #[test]
 fn a_quad_covers_its_texels_at_its_depth() {
     let gpu = exclusive();
-    for (format, tolerance) in [
-        (DepthFormat::Depth32Float, 1e-6),
-        (DepthFormat::Depth16Unorm, 1e-5),
-    ] {
+    for (format, tolerance) in [(DepthFormat::Depth32Float, 1e-6), (DepthFormat::Depth16Unorm, 1e-5)] {
         let mut service = service(&gpu, format, &Options::default());
         let quad = Geometry::quad([0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 0.0, 8.0]);
         let map = captured(&gpu, &mut service, &quad, at(2.0, 5.0, -4.0), DVec3::ZERO);
@@ -95,22 +89,14 @@ fn world_positions_far_from_the_origin_lose_nothing() {
 fn clamped_and_unclipped_captures_are_equal() {
     let gpu = exclusive();
     let mut unclipped = service(&gpu, DepthFormat::Depth32Float, &Options::default());
-    let options = Options {
-        clamp_in_fragments: true,
-        ..Options::default()
-    };
+    let options = Options { clamp_in_fragments: true, ..Options::default() };
     let mut clamped = service(&gpu, DepthFormat::Depth32Float, &options);
     assert_eq!(clamped.capture_shader(), ShaderKind::CaptureClamped);
 
     // A tall wall reaches far above depth 0 and below depth 1, a tilted quad lies between.
     let mut casters = Geometry::quad([-8.0, -60.0, -9.3], [16.0, 0.0, 0.0], [0.0, 200.0, 1.7]);
     let tilted = Geometry::quad([-7.3, 1.0, 0.2], [11.1, 9.0, 0.0], [0.0, 30.0, 9.9]);
-    casters.indices.extend(
-        tilted
-            .indices
-            .iter()
-            .map(|index| index + casters.positions.len() as u32),
-    );
+    casters.indices.extend(tilted.indices.iter().map(|index| index + casters.positions.len() as u32));
     casters.positions.extend(&tilted.positions);
     let one = captured(&gpu, &mut unclipped, &casters, DAffine3::IDENTITY, DVec3::ZERO);
     let other = captured(&gpu, &mut clamped, &casters, DAffine3::IDENTITY, DVec3::ZERO);
@@ -118,10 +104,7 @@ fn clamped_and_unclipped_captures_are_equal() {
     let pancaked = one.iter().filter(|depth| **depth == 0.0).count();
     assert!(pancaked > 20, "the wall's upper end lands on depth 0: {pancaked}");
     for (texel, (one, other)) in one.iter().zip(&other).enumerate() {
-        assert!(
-            (one - other).abs() <= 1e-6,
-            "texel {texel}: {one} unclipped, {other} clamped"
-        );
+        assert!((one - other).abs() <= 1e-6, "texel {texel}: {one} unclipped, {other} clamped");
     }
     if gpu.device.features().contains(wgpu::Features::DEPTH_CLIP_CONTROL) {
         assert_eq!(unclipped.capture_shader(), ShaderKind::Capture);
@@ -145,16 +128,7 @@ fn two_views_in_one_submission_keep_their_own_plans() {
         .map(|(view, shift)| {
             let plan = plan_from_above(view, HALF, TOP, BOTTOM);
             let place = DAffine3::from_translation(view.eye_world + DVec3::X * shift);
-            service
-                .prepare(
-                    &plan,
-                    view,
-                    &[CasterInstance {
-                        mesh,
-                        world_from_object: place,
-                    }],
-                )
-                .unwrap()
+            service.prepare(&plan, view, &[CasterInstance { mesh, world_from_object: place }]).unwrap()
         })
         .collect();
     assert_eq!(service.frame_slots(), 2);
@@ -164,20 +138,9 @@ fn two_views_in_one_submission_keep_their_own_plans() {
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     for ((view, frame), mask) in views.iter().zip(&frames).zip(&masks) {
         let depths = images::float_texture(&gpu, (64, 64), &images::linear_depths(view, ground));
-        let inputs = MaskInputs {
-            depth: &depths.create_view(&Default::default()),
-            normal: None,
-        };
+        let inputs = MaskInputs { depth: &depths.create_view(&Default::default()), normal: None };
         service.capture(&mut encoder, frame, None).unwrap();
-        service
-            .mask(
-                &mut encoder,
-                frame,
-                &inputs,
-                &mask.create_view(&Default::default()),
-                None,
-            )
-            .unwrap();
+        service.mask(&mut encoder, frame, &inputs, &mask.create_view(&Default::default()), None).unwrap();
     }
     drop(frames);
 
@@ -195,11 +158,7 @@ fn two_views_in_one_submission_keep_their_own_plans() {
             let (x, z) = ((point.x - shift).abs(), point.z.abs());
             // Leave out pixels within a texel of the shadow's edge.
             if (x.max(z) - 2.0).abs() > 0.5 {
-                assert_eq!(
-                    *lit,
-                    if x.max(z) < 2.0 { 0 } else { 255 },
-                    "pixel {pixel} at {point}"
-                );
+                assert_eq!(*lit, if x.max(z) < 2.0 { 0 } else { 255 }, "pixel {pixel} at {point}");
             }
         }
         assert!(lit.contains(&0));
@@ -221,26 +180,13 @@ fn casters_that_reach_no_facet_are_not_drawn() {
     let mesh = service.add_mesh(&buffers.description()).unwrap();
     let view = view(DVec3::ZERO);
     let plan = plan_from_above(&view, HALF, TOP, BOTTOM);
-    let place = |x: f64| CasterInstance {
-        mesh,
-        world_from_object: at(x, 0.0, 0.0),
-    };
+    let place = |x: f64| CasterInstance { mesh, world_from_object: at(x, 0.0, 0.0) };
 
-    let frame = service
-        .prepare(
-            &plan,
-            &view,
-            &[place(0.0), place(18.0), place(16.9), place(-400.0)],
-        )
-        .unwrap();
+    let frame =
+        service.prepare(&plan, &view, &[place(0.0), place(18.0), place(16.9), place(-400.0)]).unwrap();
     let statistics = frame.statistics();
     assert_eq!(
-        (
-            statistics.casters,
-            statistics.draws,
-            statistics.instances,
-            statistics.triangles
-        ),
+        (statistics.casters, statistics.draws, statistics.instances, statistics.triangles),
         (4, 1, 2, 24)
     );
 
@@ -271,37 +217,14 @@ fn each_facet_draws_into_its_own_tile_only() {
         .into_iter()
         .zip([10.0, 20.0, 30.0])
         .map(|((index, x, y, width, height), top)| {
-            let tile = Tile {
-                x,
-                y,
-                width,
-                height,
-                gutter: 0,
-            };
-            Facet {
-                index,
-                ..facet_from_above(tile, HALF, top, -10.0)
-            }
+            let tile = Tile { x, y, width, height, gutter: 0 };
+            Facet { index, ..facet_from_above(tile, HALF, top, -10.0) }
         })
         .collect();
-    let frame = service.prepare(
-        &plan,
-        &view,
-        &[CasterInstance {
-            mesh,
-            world_from_object: DAffine3::IDENTITY,
-        }],
-    );
+    let frame =
+        service.prepare(&plan, &view, &[CasterInstance { mesh, world_from_object: DAffine3::IDENTITY }]);
     let frame = frame.unwrap();
-    assert_eq!(
-        frame
-            .statistics()
-            .facets
-            .iter()
-            .map(|facet| facet.facet)
-            .collect::<Vec<_>>(),
-        [0, 1, 3]
-    );
+    assert_eq!(frame.statistics().facets.iter().map(|facet| facet.facet).collect::<Vec<_>>(), [0, 1, 3]);
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     service.capture(&mut encoder, &frame, None).unwrap();
     gpu.queue.submit([encoder.finish()]);
@@ -313,10 +236,7 @@ fn each_facet_draws_into_its_own_tile_only() {
         };
         let facet = plan.facets.iter().position(|facet| inside(&facet.tile));
         let expected = facet.map_or(1.0, |facet| [0.5, 2.0 / 3.0, 0.75][facet]);
-        assert!(
-            (stored - expected).abs() < 1e-6,
-            "texel {x}, {y}: {stored} for {expected}"
-        );
+        assert!((stored - expected).abs() < 1e-6, "texel {x}, {y}: {stored} for {expected}");
     }
 }
 
@@ -326,13 +246,8 @@ fn frames_of_another_service_are_refused() {
     let mut one = service(&gpu, DepthFormat::Depth32Float, &Options::default());
     let other = service(&gpu, DepthFormat::Depth32Float, &Options::default());
     let view = view(DVec3::ZERO);
-    let frame = one
-        .prepare(&plan_from_above(&view, HALF, TOP, BOTTOM), &view, &[])
-        .unwrap();
+    let frame = one.prepare(&plan_from_above(&view, HALF, TOP, BOTTOM), &view, &[]).unwrap();
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
-    assert!(matches!(
-        other.capture(&mut encoder, &frame, None),
-        Err(ServiceError::StaleFrame { .. })
-    ));
+    assert!(matches!(other.capture(&mut encoder, &frame, None), Err(ServiceError::StaleFrame { .. })));
     one.capture(&mut encoder, &frame, None).unwrap();
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use cssm_core::LightCase;
-use cssm_core::case::{MaskDepth, MaskNormal, Resolve};
+use cssm_core::case::{Filter, MaskDepth, MaskNormal, Resolve};
 use cssm_core::table::{BindingKind, CaseTable, ConstantValue, FieldType, RecordKind, Resource};
 
 use crate::dsl;
@@ -63,13 +63,9 @@ fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
         "  map of {width} x {height} texels, {}, {mebibytes:.1} MiB",
         format.name()
     ));
-    out.line(format!(
-        "  up to {} facets: {} sectors x {} bands, gutter {} texels",
-        table.facets(),
-        table.sectors,
-        table.bands,
-        case.gutter_texels()
-    ));
+    let (sectors, bands, facets) = (table.sectors, table.bands, table.facets());
+    out.line(format!("  tiles at most: {facets} = sectors {sectors} x bands {bands}"));
+    out.line(format!("  gutter texels: {}", case.gutter_texels()));
     match case.technique.arguments.sizes("sizes") {
         Some(sizes) => {
             for (index, (width, height)) in sizes.iter().enumerate() {
@@ -80,10 +76,8 @@ fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
             }
         }
         None => {
-            let share = texels / u64::from(table.facets().max(1));
-            out.line(format!(
-                "  {share} texels per tile if all are used alike; a plan shares {texels} among its own"
-            ));
+            let share = texels / u64::from(facets.max(1));
+            out.line(format!("  texels per tile: {share} of {texels} if all tiles are used alike"));
         }
     }
 }
@@ -178,10 +172,16 @@ fn constants(table: &CaseTable, out: &mut Out) {
 
 fn fetches(case: &LightCase, table: &CaseTable, out: &mut Out) {
     out.section("texture fetches per pixel");
+    let how = match case.filter {
+        Filter::None => "load of 1 texel",
+        Filter::Hardware2x2 => "comparison of 4 texels",
+        Filter::Gather2x2 => "gather of 4 texels",
+    };
+    let map = format!("map {} ({how})", table.fetches_per_pixel);
     for interface in &case.resolve {
         match *interface {
             Resolve::Function { .. } => {
-                out.line(format!("  function        map {}", table.fetches_per_pixel))
+                out.line(format!("  function        {map}"))
             }
             Resolve::Mask { depth, normal } => {
                 let depth_name = match depth {

@@ -125,7 +125,6 @@ fn names(module: &naga::Module) -> (BTreeSet<String>, BTreeSet<String>) {
         local.extend(function.local_variables.iter().filter_map(|(_, variable)| variable.name.clone()));
         local.extend(function.named_expressions.values().cloned());
     }
-    // Members of records are declared by the table and only ever follow a dot.
     (declared, local)
 }
 
@@ -157,7 +156,6 @@ fn branches_on_constant(block: &naga::Block, function: &naga::Function) -> bool 
     };
     block.iter().any(|statement| match statement {
         Statement::If { condition, accept, reject } => {
-            // A loop's own head may compare with a literal; a literal itself may not decide.
             is_constant(condition)
                 || branches_on_constant(accept, function)
                 || branches_on_constant(reject, function)
@@ -188,13 +186,21 @@ fn every_parameter_and_local_is_read() {
     }
 }
 
+#[test]
+fn parameters_are_told_from_their_types() {
+    let head = "@vertex\nfn f(@location(0) a: vec2<f32>, b: f32,\n    c: Facet,\n) -> f32 {\n}";
+    assert_eq!(parameters(head), Some(vec!["a", "b", "c"]));
+    assert_eq!(parameters("struct S { a: f32 }"), None);
+}
+
+/// Names of a function's parameters: the word before each colon of its head.
 fn parameters(function: &str) -> Option<Vec<&str>> {
     let (_, rest) = function.split_once("fn ")?;
     let (_, rest) = rest.split_once('(')?;
     let (list, _) = rest.split_once('{')?;
-    let names = list.split(':').filter_map(|part| part.split([' ', ',', '(', ')', '\n']).rfind(|word| !word.is_empty()));
-    let count = list.matches(": ").count();
-    Some(names.take(count).collect())
+    let parts = list.split(':').map(|part| part.split([' ', ',', '(', ')', '\n']));
+    let names = parts.filter_map(|mut words| words.rfind(|word| !word.is_empty()));
+    Some(names.take(list.matches(": ").count()).collect())
 }
 
 #[test]

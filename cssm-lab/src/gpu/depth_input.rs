@@ -20,7 +20,11 @@ fn store(@builtin(position) place: vec4<f32>) -> @builtin(frag_depth) f32 {
 ";
 
 /// A depth texture that holds these values.
-pub(super) fn reversed_z_texture(gpu: &Gpu, size: (u32, u32), stored: &[f32]) -> Result<wgpu::Texture, GpuError> {
+pub(super) fn reversed_z_texture(
+    gpu: &Gpu,
+    size: (u32, u32),
+    stored: &[f32],
+) -> Result<wgpu::Texture, GpuError> {
     let source = gpu.float_texture(size, wgpu::TextureFormat::R32Float, stored)?;
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
     let target = gpu.texture(size, FORMAT, usage)?;
@@ -84,7 +88,10 @@ fn fill(gpu: &Gpu, source: &wgpu::Texture, target: &wgpu::Texture) {
         label: Some("depth input"),
         depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
             view: &view,
-            depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Store }),
+            depth_ops: Some(wgpu::Operations {
+                load: wgpu::LoadOp::Clear(0.0),
+                store: wgpu::StoreOp::Store,
+            }),
             stencil_ops: None,
         }),
         ..Default::default()

@@ -23,7 +23,8 @@ impl SceneBuffers {
     /// # Errors
     /// When it does not fit a buffer.
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
-        let count = |items: fn(&crate::scene::Mesh) -> usize| scene.meshes.iter().map(items).sum::<usize>() as u64;
+        let count =
+            |items: fn(&crate::scene::Mesh) -> usize| scene.meshes.iter().map(items).sum::<usize>() as u64;
         let vertex_bytes = count(|mesh| mesh.positions.len()) * POSITION_BYTES;
         let index_bytes = count(|mesh| mesh.indices.len()) * INDEX_BYTES;
         if vertex_bytes.max(index_bytes) > gpu.device.limits().max_buffer_size {
@@ -44,8 +45,10 @@ impl SceneBuffers {
         gpu.checked("the scene's contents", || {
             let (mut vertex, mut index) = (0, 0);
             for mesh in &scene.meshes {
-                gpu.queue.write_buffer(&vertices, vertex, bytemuck::cast_slice(&mesh.positions));
-                gpu.queue.write_buffer(&indices, index, bytemuck::cast_slice(&mesh.indices));
+                gpu.queue
+                    .write_buffer(&vertices, vertex, bytemuck::cast_slice(&mesh.positions));
+                gpu.queue
+                    .write_buffer(&indices, index, bytemuck::cast_slice(&mesh.indices));
                 vertex += mesh.positions.len() as u64 * POSITION_BYTES;
                 index += mesh.indices.len() as u64 * INDEX_BYTES;
             }
@@ -57,7 +60,11 @@ impl SceneBuffers {
     ///
     /// # Errors
     /// What the service says of a mesh.
-    pub fn add_to(&self, service: &mut ShadowService, scene: &Scene) -> Result<Vec<CasterInstance>, GpuError> {
+    pub fn add_to(
+        &self,
+        service: &mut ShadowService,
+        scene: &Scene,
+    ) -> Result<Vec<CasterInstance>, GpuError> {
         let (mut vertex, mut index) = (0, 0);
         let mut handles = Vec::with_capacity(scene.meshes.len());
         for mesh in &scene.meshes {
@@ -76,7 +83,10 @@ impl SceneBuffers {
                         count: mesh.indices.len() as u32,
                         format: wgpu::IndexFormat::Uint32,
                     }),
-                    bounds_object: BoundingBox { min: DVec3::from_array(min), max: DVec3::from_array(max) },
+                    bounds_object: BoundingBox {
+                        min: DVec3::from_array(min),
+                        max: DVec3::from_array(max),
+                    },
                 })?),
             };
             handles.push(handle);
@@ -85,7 +95,10 @@ impl SceneBuffers {
         }
         let casters = scene.instances.iter().filter_map(|instance| {
             let mesh = handles[instance.mesh]?;
-            Some(CasterInstance { mesh, world_from_object: instance.world_from_object })
+            Some(CasterInstance {
+                mesh,
+                world_from_object: instance.world_from_object,
+            })
         });
         Ok(casters.collect())
     }

@@ -28,11 +28,16 @@ impl Surface {
     pub fn new(gpu: &Gpu, view: &View, frame: &Frame) -> Result<Self, GpuError> {
         let size = view.size_pixels;
         let four = |value: &dyn Fn(&Visible) -> [f64; 4]| -> Vec<f32> {
-            let texel = |pixel: &Option<Visible>| pixel.as_ref().map_or([0.0; 4], value).map(|value| value as f32);
+            let texel =
+                |pixel: &Option<Visible>| pixel.as_ref().map_or([0.0; 4], value).map(|value| value as f32);
             frame.pixels.iter().flat_map(texel).collect()
         };
         let one = |value: &dyn Fn(&Visible) -> f64| -> Vec<f32> {
-            frame.pixels.iter().map(|pixel| pixel.as_ref().map_or(0.0, value) as f32).collect()
+            frame
+                .pixels
+                .iter()
+                .map(|pixel| pixel.as_ref().map_or(0.0, value) as f32)
+                .collect()
         };
         let positions = four(&|pixel| pixel.position.extend(1.0).to_array());
         let normals = four(&|pixel| pixel.normal.extend(0.0).to_array());

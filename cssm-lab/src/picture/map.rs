@@ -21,12 +21,14 @@ pub fn map_picture(plan: &ShadowPlan, depths: &[f32]) -> Picture {
         let tile = facet.tile;
         let (x, y) = (tile.x as usize, tile.y as usize);
         let texels = || {
-            let columns = move |row: usize| (x..(x + tile.width as usize).min(width)).map(move |column| (column, row));
+            let columns =
+                move |row: usize| (x..(x + tile.width as usize).min(width)).map(move |column| (column, row));
             (y..(y + tile.height as usize).min(height)).flat_map(columns)
         };
 
         // Find the range of depths that were drawn.
-        let drawn = || texels().filter_map(|(x, y)| depths.get(y * width + x).copied().filter(|depth| *depth < 1.0));
+        let drawn =
+            || texels().filter_map(|(x, y)| depths.get(y * width + x).copied().filter(|depth| *depth < 1.0));
         let near = drawn().fold(1.0, f32::min);
         let far = drawn().fold(near, f32::max);
         let scale = if far > near { 200.0 / (far - near) } else { 0.0 };

@@ -84,7 +84,9 @@ pub enum SceneFileError {
         mode: &'static str,
     },
     /// A primitive has no positions.
-    #[error("primitive {primitive} of mesh {mesh} has no POSITION attribute; re-export it with vertex positions")]
+    #[error(
+        "primitive {primitive} of mesh {mesh} has no POSITION attribute; re-export it with vertex positions"
+    )]
     NoPositions {
         /// Index of the mesh.
         mesh: usize,
@@ -121,34 +123,53 @@ pub enum SceneFileError {
 }
 
 pub(super) fn load(path: &Path) -> Result<Scene, SceneFileError> {
-    let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
+    let extension = path
+        .extension()
+        .and_then(|extension| extension.to_str())
+        .map(str::to_ascii_lowercase);
     if !matches!(extension.as_deref(), Some("gltf" | "glb")) {
-        return Err(SceneFileError::Unknown { name: path.display().to_string() });
+        return Err(SceneFileError::Unknown {
+            name: path.display().to_string(),
+        });
     }
-    let bytes = std::fs::read(path).map_err(|source| SceneFileError::Read { path: path.to_owned(), source })?;
-    let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let bytes = std::fs::read(path).map_err(|source| SceneFileError::Read {
+        path: path.to_owned(),
+        source,
+    })?;
+    let name = path
+        .file_stem()
+        .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     parse(&bytes, path, name)
 }
 
 fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileError> {
-    let malformed = |source| SceneFileError::Document { path: path.to_owned(), source: Box::new(source) };
+    let malformed = |source| SceneFileError::Document {
+        path: path.to_owned(),
+        source: Box::new(source),
+    };
 
     // Name unsupported extensions before the validator refuses them without a name.
-    let gltf::Gltf { document, blob } = gltf::Gltf::from_slice_without_validation(bytes).map_err(malformed)?;
+    let gltf::Gltf { document, blob } =
+        gltf::Gltf::from_slice_without_validation(bytes).map_err(malformed)?;
     let unsupported: Vec<String> = document
         .extensions_required()
         .filter(|extension| !SUPPORTED_EXTENSIONS.contains(extension))
         .map(str::to_owned)
         .collect();
     if !unsupported.is_empty() {
-        return Err(SceneFileError::RequiredExtensions { extensions: unsupported });
+        return Err(SceneFileError::RequiredExtensions {
+            extensions: unsupported,
+        });
     }
     let mut root = document.into_json();
     root.extensions_required.clear();
     // Name primitives without positions before the validator refuses them less clearly.
     let positions = gltf::json::validation::Checked::Valid(gltf::Semantic::Positions);
     for (mesh, primitives) in root.meshes.iter().map(|mesh| &mesh.primitives).enumerate() {
-        if let Some(primitive) = primitives.iter().position(|p| !p.attributes.contains_key(&positions)) {
+        if let Some(primitive) = primitives
+            .iter()
+            .position(|p| !p.attributes.contains_key(&positions))
+        {
             return Err(SceneFileError::NoPositions { mesh, primitive });
         }
     }
@@ -164,27 +185,46 @@ fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileErro
         }
         mesh_primitives.push(first..meshes.len());
     }
-    let colours: Vec<_> = document.meshes().flat_map(|mesh| mesh.primitives().map(|p| colour(&p)).collect::<Vec<_>>()).collect();
+    let colours: Vec<_> = document
+        .meshes()
+        .flat_map(|mesh| mesh.primitives().map(|p| colour(&p)).collect::<Vec<_>>())
+        .collect();
 
     // Walk the default scene, or the first, without recursion.
     let scene = document.default_scene().or_else(|| document.scenes().next());
     let mut instances = Vec::new();
     let mut triangles = 0_usize;
-    let mut open: Vec<_> = scene.iter().flat_map(gltf::Scene::nodes).map(|node| (node, DMat4::IDENTITY)).collect();
+    let mut open: Vec<_> = scene
+        .iter()
+        .flat_map(gltf::Scene::nodes)
+        .map(|node| (node, DMat4::IDENTITY))
+        .collect();
     open.reverse();
     let mut seen = vec![false; document.nodes().len()];
     while let Some((node, world_from_parent)) = open.pop() {
         if std::mem::replace(&mut seen[node.index()], true) {
-            return Err(SceneFileError::Node { node: node.index(), why: "has two parents or contains itself" });
+            return Err(SceneFileError::Node {
+                node: node.index(),
+                why: "has two parents or contains itself",
+            });
         }
         let world_from_node = world_from_parent * local_transform(&node);
         if !world_from_node.is_finite() {
-            return Err(SceneFileError::Node { node: node.index(), why: "has a transform that is not finite" });
+            return Err(SceneFileError::Node {
+                node: node.index(),
+                why: "has a transform that is not finite",
+            });
         }
-        let primitives = node.mesh().and_then(|mesh| mesh_primitives.get(mesh.index()).cloned());
+        let primitives = node
+            .mesh()
+            .and_then(|mesh| mesh_primitives.get(mesh.index()).cloned());
         for mesh in primitives.into_iter().flatten() {
             let world_from_object = DAffine3::from_mat4(world_from_node);
-            instances.push(Instance { mesh, world_from_object, colour: colours[mesh] });
+            instances.push(Instance {
+                mesh,
+                world_from_object,
+                colour: colours[mesh],
+            });
             triangles += meshes[mesh].triangles();
             if triangles > MOST_TRIANGLES || instances.len() > MOST_TRIANGLES {
                 return Err(SceneFileError::TooLarge);
@@ -194,25 +234,38 @@ fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileErro
         open.extend(children.into_iter().rev().map(|child| (child, world_from_node)));
     }
     if triangles == 0 {
-        return Err(SceneFileError::Empty { path: path.to_owned() });
+        return Err(SceneFileError::Empty {
+            path: path.to_owned(),
+        });
     }
-    let mut scene = Scene { name, meshes, instances, views: Vec::new() };
+    let mut scene = Scene {
+        name,
+        meshes,
+        instances,
+        views: Vec::new(),
+    };
     scene.views = surrounding_views(&scene);
     Ok(scene)
 }
 
 /// Three views from the sides of the scene towards its middle.
 fn surrounding_views(scene: &Scene) -> Vec<Viewpoint> {
-    let Some(bounds) = scene.bounds_world() else { return Vec::new() };
+    let Some(bounds) = scene.bounds_world() else {
+        return Vec::new();
+    };
     let centre = (bounds.min + bounds.max) * 0.5;
     let reach = 0.35 * (bounds.max - bounds.min).max_element();
-    [(1.0, 0.6, [-0.5, -0.75, -0.3]), (-0.8, 1.0, [0.6, -0.7, 0.2]), (0.1, -1.0, [0.3, -0.6, 0.7])]
-        .map(|(x, z, light)| Viewpoint {
-            eye_world: centre + DVec3::new(x, 0.35, z) * reach,
-            target_world: centre,
-            light_travels: light.into(),
-        })
-        .to_vec()
+    [
+        (1.0, 0.6, [-0.5, -0.75, -0.3]),
+        (-0.8, 1.0, [0.6, -0.7, 0.2]),
+        (0.1, -1.0, [0.3, -0.6, 0.7]),
+    ]
+    .map(|(x, z, light)| Viewpoint {
+        eye_world: centre + DVec3::new(x, 0.35, z) * reach,
+        target_world: centre,
+        light_travels: light.into(),
+    })
+    .to_vec()
 }
 
 fn load_buffers(
@@ -223,15 +276,22 @@ fn load_buffers(
     document
         .buffers()
         .map(|buffer| {
-            let fail = |why: String| SceneFileError::Buffer { buffer: buffer.index(), why };
+            let fail = |why: String| SceneFileError::Buffer {
+                buffer: buffer.index(),
+                why,
+            };
             let bytes = match buffer.source() {
-                gltf::buffer::Source::Bin => {
-                    blob.take().ok_or_else(|| fail("the file has no binary chunk".to_owned()))?
-                }
+                gltf::buffer::Source::Bin => blob
+                    .take()
+                    .ok_or_else(|| fail("the file has no binary chunk".to_owned()))?,
                 gltf::buffer::Source::Uri(uri) => read_uri(uri, path).map_err(fail)?,
             };
             if bytes.len() < buffer.length() {
-                return Err(fail(format!("it holds {} bytes of {}", bytes.len(), buffer.length())));
+                return Err(fail(format!(
+                    "it holds {} bytes of {}",
+                    bytes.len(),
+                    buffer.length()
+                )));
             }
             Ok(bytes)
         })
@@ -240,8 +300,12 @@ fn load_buffers(
 
 fn read_uri(uri: &str, document_path: &Path) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
-        let (_, text) = data.split_once(";base64,").ok_or("its data address is not base64")?;
-        return base64::engine::general_purpose::STANDARD.decode(text).map_err(|error| error.to_string());
+        let (_, text) = data
+            .split_once(";base64,")
+            .ok_or("its data address is not base64")?;
+        return base64::engine::general_purpose::STANDARD
+            .decode(text)
+            .map_err(|error| error.to_string());
     }
     if uri.contains("://") {
         return Err(format!("{uri} is not a local file"));
@@ -273,28 +337,45 @@ fn read_primitive(
     buffers: &[Vec<u8>],
 ) -> Result<Mesh, SceneFileError> {
     let (mesh_index, index) = (mesh.index(), primitive.index());
-    let fail = |why| SceneFileError::Primitive { mesh: mesh_index, primitive: index, why };
+    let fail = |why| SceneFileError::Primitive {
+        mesh: mesh_index,
+        primitive: index,
+        why,
+    };
     let accessor = primitive
         .get(&gltf::Semantic::Positions)
-        .ok_or(SceneFileError::NoPositions { mesh: mesh_index, primitive: index })?;
-    let positions: Vec<[f32; 3]> =
-        read::<3>(&accessor, Dimensions::Vec3, buffers)?.into_iter().map(|point| point.map(|v| v as f32)).collect();
+        .ok_or(SceneFileError::NoPositions {
+            mesh: mesh_index,
+            primitive: index,
+        })?;
+    let positions: Vec<[f32; 3]> = read::<3>(&accessor, Dimensions::Vec3, buffers)?
+        .into_iter()
+        .map(|point| point.map(|v| v as f32))
+        .collect();
     if positions.iter().flatten().any(|value| !value.is_finite()) {
         return Err(fail("has a position that is not finite"));
     }
-    let vertices = u32::try_from(positions.len()).map_err(|_| fail("has more vertices than an index can name"))?;
+    let vertices =
+        u32::try_from(positions.len()).map_err(|_| fail("has more vertices than an index can name"))?;
     let indices: Vec<u32> = match primitive.indices() {
-        Some(accessor) => {
-            read::<1>(&accessor, Dimensions::Scalar, buffers)?.into_iter().map(|[value]| value as u32).collect()
-        }
+        Some(accessor) => read::<1>(&accessor, Dimensions::Scalar, buffers)?
+            .into_iter()
+            .map(|[value]| value as u32)
+            .collect(),
         None => (0..vertices).collect(),
     };
     if indices.iter().any(|index| *index >= vertices) {
         return Err(fail("has an index past its last vertex"));
     }
-    let mode = |mode| SceneFileError::NotTriangles { mesh: mesh_index, primitive: index, mode };
+    let mode = |mode| SceneFileError::NotTriangles {
+        mesh: mesh_index,
+        primitive: index,
+        mode,
+    };
     let indices = match primitive.mode() {
-        Mode::Triangles if indices.len() % 3 != 0 => return Err(fail("has an index count that is no multiple of 3")),
+        Mode::Triangles if indices.len() % 3 != 0 => {
+            return Err(fail("has an index count that is no multiple of 3"));
+        }
         Mode::Triangles => indices,
         Mode::TriangleStrip => (2..indices.len())
             .flat_map(|last| {
@@ -302,13 +383,17 @@ fn read_primitive(
                 [indices[last - 2], indices[last - 1 + odd], indices[last - odd]]
             })
             .collect(),
-        Mode::TriangleFan => {
-            (2..indices.len()).flat_map(|last| [indices[0], indices[last - 1], indices[last]]).collect()
-        }
+        Mode::TriangleFan => (2..indices.len())
+            .flat_map(|last| [indices[0], indices[last - 1], indices[last]])
+            .collect(),
         Mode::Points => return Err(mode("points")),
         Mode::Lines | Mode::LineLoop | Mode::LineStrip => return Err(mode("lines")),
     };
-    Ok(Mesh { name: mesh.name().unwrap_or("mesh").to_owned(), positions, indices })
+    Ok(Mesh {
+        name: mesh.name().unwrap_or("mesh").to_owned(),
+        positions,
+        indices,
+    })
 }
 
 fn colour(primitive: &gltf::Primitive<'_>) -> [f32; 3] {
@@ -318,7 +403,11 @@ fn colour(primitive: &gltf::Primitive<'_>) -> [f32; 3] {
     }
     let [red, green, blue, _] = material.pbr_metallic_roughness().base_color_factor();
     // A textured material usually leaves its factor white; a mid grey shows shadows better.
-    if red.min(green).min(blue) > 0.95 { PLAIN } else { [red, green, blue] }
+    if red.min(green).min(blue) > 0.95 {
+        PLAIN
+    } else {
+        [red, green, blue]
+    }
 }
 
 fn local_transform(node: &gltf::Node<'_>) -> DMat4 {

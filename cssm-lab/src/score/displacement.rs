@@ -43,7 +43,12 @@ impl Displacement {
 }
 
 impl Distances {
-    fn from(edges: &Marks, to_other: &[f64], footprints: &[Option<PixelFootprint>], lattice: Lattice) -> Self {
+    fn from(
+        edges: &Marks,
+        to_other: &[f64],
+        footprints: &[Option<PixelFootprint>],
+        lattice: Lattice,
+    ) -> Self {
         let pixels: Vec<f64> = edges.places().map(|place| to_other[place]).collect();
         let relative = edges
             .places()

@@ -59,7 +59,13 @@ impl Assignment {
                 let facet = plan.facet(plan.selection.facet(pixel.position.extend(1.0)))?;
                 let volume = footprint::volume(facet, view, pixel.position);
                 let surface = footprint::surface(facet, view, pixel.position, pixel.normal);
-                let capped = |pixels: f64| if pixels < LARGEST_PIXELS { pixels } else { LARGEST_PIXELS };
+                let capped = |pixels: f64| {
+                    if pixels < LARGEST_PIXELS {
+                        pixels
+                    } else {
+                        LARGEST_PIXELS
+                    }
+                };
                 let footprint = PixelFootprint {
                     volume_pixels: capped(volume.major_pixels),
                     geometric_pixels: capped(volume.geometric_pixels),
@@ -73,9 +79,13 @@ impl Assignment {
         let (width, height) = plan.map_size_texels;
         let mut read = vec![false; width as usize * height as usize];
         for (pixel, found) in frame.pixels.iter().zip(&found) {
-            let (Some(pixel), Some((index, _))) = (pixel, found) else { continue };
+            let (Some(pixel), Some((index, _))) = (pixel, found) else {
+                continue;
+            };
             let Some(facet) = plan.facet(*index) else { continue };
-            let Some((x, y)) = map_texel(facet, pixel.position) else { continue };
+            let Some((x, y)) = map_texel(facet, pixel.position) else {
+                continue;
+            };
             let taps = match filter {
                 Filter::None => [x.floor(), y.floor(), 1.0],
                 Filter::Hardware2x2 | Filter::Gather2x2 => [(x - 0.5).floor(), (y - 0.5).floor(), 2.0],
@@ -89,8 +99,14 @@ impl Assignment {
         }
         let used = read.iter().filter(|read| **read).count();
         Self {
-            facets: found.iter().map(|found| found.map_or(NO_FACET, |(facet, _)| facet)).collect(),
-            footprints: found.iter().map(|found| found.map(|(_, footprint)| footprint)).collect(),
+            facets: found
+                .iter()
+                .map(|found| found.map_or(NO_FACET, |(facet, _)| facet))
+                .collect(),
+            footprints: found
+                .iter()
+                .map(|found| found.map(|(_, footprint)| footprint))
+                .collect(),
             scene_utilisation: super::statistics::share(used as u64, read.len() as u64),
         }
     }
@@ -100,10 +116,16 @@ impl Assignment {
         let all = |pick: fn(&PixelFootprint) -> f64| {
             Percentiles::of(self.footprints.iter().flatten().map(pick).collect())
         };
-        let facing = self.footprints.iter().zip(&frame.pixels).filter_map(|(footprint, pixel)| {
-            pixel.as_ref().filter(|pixel| pixel.cosine > super::FACING_COSINE)?;
-            Some(footprint.as_ref()?.surface_pixels)
-        });
+        let facing = self
+            .footprints
+            .iter()
+            .zip(&frame.pixels)
+            .filter_map(|(footprint, pixel)| {
+                pixel
+                    .as_ref()
+                    .filter(|pixel| pixel.cosine > super::FACING_COSINE)?;
+                Some(footprint.as_ref()?.surface_pixels)
+            });
         FrameFootprint {
             volume: all(|footprint| footprint.volume_pixels),
             geometric: all(|footprint| footprint.geometric_pixels),

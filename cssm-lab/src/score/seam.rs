@@ -43,12 +43,19 @@ impl Seam {
         let to_map = distance::transform(map_edges);
         let (mut strip, mut elsewhere) = (Vec::new(), Vec::new());
         for place in true_edges.places() {
-            let Some(footprint) = surface_footprint(footprints, lattice, place) else { continue };
-            let side = if to_boundary[place] <= STRIP_PIXELS { &mut strip } else { &mut elsewhere };
+            let Some(footprint) = surface_footprint(footprints, lattice, place) else {
+                continue;
+            };
+            let side = if to_boundary[place] <= STRIP_PIXELS {
+                &mut strip
+            } else {
+                &mut elsewhere
+            };
             side.push(to_map[place] / footprint);
         }
         let interior_wrong = verdicts.iter().enumerate().filter(|(index, verdict)| {
-            verdict.is_some_and(|verdict| verdict.facing && verdict.wrong() && verdict.place == Place::Interior)
+            verdict
+                .is_some_and(|verdict| verdict.facing && verdict.wrong() && verdict.place == Place::Interior)
                 && to_boundary[lattice.of_pixel(*index)] <= STRIP_PIXELS
         });
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
@@ -61,7 +68,11 @@ impl Seam {
             strip,
             elsewhere,
             mean_ratio,
-            p95_ratio: if strip_edge_pixels == 0 { None } else { ratio(strip.p95, elsewhere.p95) },
+            p95_ratio: if strip_edge_pixels == 0 {
+                None
+            } else {
+                ratio(strip.p95, elsewhere.p95)
+            },
             interior_wrong_pixels: interior_wrong.count() as u64,
         })
     }

@@ -9,7 +9,7 @@ pub mod pssm_log {
     /// The declaration.
     pub fn case() -> ::cssm::core::LightCase {
         use ::cssm::core::case::*;
-        use ::cssm::core::schema::{Arguments, Value, Word};
+        use ::cssm::core::schema::*;
         LightCase {
             name: "Pssm4Log".into(),
             doc: "Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the\nmeasure that other cases are compared with at equal texels."

@@ -9,7 +9,7 @@ pub mod pssm_practical {
     /// The declaration.
     pub fn case() -> ::cssm::core::LightCase {
         use ::cssm::core::case::*;
-        use ::cssm::core::schema::{Arguments, Value, Word};
+        use ::cssm::core::schema::*;
         LightCase {
             name: "Pssm4Practical".into(),
             doc: "Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most\nengines have them."

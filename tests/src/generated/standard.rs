@@ -9,7 +9,7 @@ pub mod standard {
     /// The declaration.
     pub fn case() -> ::cssm::core::LightCase {
         use ::cssm::core::case::*;
-        use ::cssm::core::schema::{Arguments, Value, Word};
+        use ::cssm::core::schema::*;
         LightCase {
             name: "Standard".into(),
             doc: "One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and\nas the lower bound that other cases are compared with."

@@ -9,7 +9,7 @@ pub mod sun {
     /// The declaration.
     pub fn case() -> ::cssm::core::LightCase {
         use ::cssm::core::case::*;
-        use ::cssm::core::schema::{Arguments, Value, Word};
+        use ::cssm::core::schema::*;
         LightCase {
             name: "Sun".into(),
             doc: "Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no\nshadow distance and texels stay the same size on the screen, near and far."

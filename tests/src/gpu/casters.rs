@@ -29,10 +29,7 @@ pub struct GeometryBuffers {
 impl Geometry {
     /// One triangle.
     pub fn triangle(corners: [[f32; 3]; 3]) -> Self {
-        Self {
-            positions: corners.to_vec(),
-            indices: vec![0, 1, 2],
-        }
+        Self { positions: corners.to_vec(), indices: vec![0, 1, 2] }
     }
 
     /// A parallelogram: a corner and two edges.
@@ -48,28 +45,12 @@ impl Geometry {
     /// An axis-aligned box, twelve triangles.
     pub fn cuboid(min: [f32; 3], max: [f32; 3]) -> Self {
         let corner = |index: usize| {
-            std::array::from_fn(|axis| {
-                if index >> axis & 1 == 0 {
-                    min[axis]
-                } else {
-                    max[axis]
-                }
-            })
+            std::array::from_fn(|axis| if index >> axis & 1 == 0 { min[axis] } else { max[axis] })
         };
-        let faces = [
-            [0, 1, 3, 2],
-            [4, 6, 7, 5],
-            [0, 4, 5, 1],
-            [2, 3, 7, 6],
-            [0, 2, 6, 4],
-            [1, 5, 7, 3],
-        ];
+        let faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
         Self {
             positions: (0..8).map(corner).collect(),
-            indices: faces
-                .iter()
-                .flat_map(|[a, b, c, d]| [*a, *b, *c, *a, *c, *d])
-                .collect(),
+            indices: faces.iter().flat_map(|[a, b, c, d]| [*a, *b, *c, *a, *c, *d]).collect(),
         }
     }
 
@@ -86,9 +67,7 @@ impl Geometry {
             let [x, y, z] = self.positions[index as usize];
             matrix * DVec3::new(f64::from(x), f64::from(y), f64::from(z)) + shift
         };
-        self.indices
-            .chunks_exact(3)
-            .map(move |triangle| std::array::from_fn(|k| corner(triangle[k])))
+        self.indices.chunks_exact(3).map(move |triangle| std::array::from_fn(|k| corner(triangle[k])))
     }
 
     /// The box around the positions.
@@ -103,17 +82,9 @@ impl Geometry {
 
     /// Uploads it.
     pub fn upload(&self, gpu: &TestDevice) -> GeometryBuffers {
-        let positions: Vec<u8> = self
-            .positions
-            .iter()
-            .flatten()
-            .flat_map(|value| value.to_le_bytes())
-            .collect();
-        let indices: Vec<u8> = self
-            .indices
-            .iter()
-            .flat_map(|value| value.to_le_bytes())
-            .collect();
+        let positions: Vec<u8> =
+            self.positions.iter().flatten().flat_map(|value| value.to_le_bytes()).collect();
+        let indices: Vec<u8> = self.indices.iter().flat_map(|value| value.to_le_bytes()).collect();
         GeometryBuffers {
             vertices: buffer(gpu, &positions, wgpu::BufferUsages::VERTEX),
             indices: buffer(gpu, &indices, wgpu::BufferUsages::INDEX),

@@ -47,11 +47,7 @@ pub fn new_device(wanted: wgpu::Features) -> TestDevice {
         ..Default::default()
     }))
     .expect("the adapter refused a device with the lowest limits");
-    TestDevice {
-        adapter,
-        device,
-        queue,
-    }
+    TestDevice { adapter, device, queue }
 }
 
 /// A new device with exactly what the service asks for a table.
@@ -68,9 +64,5 @@ pub fn device_for(table: &CaseTable) -> TestDevice {
         ..Default::default()
     }))
     .expect("the adapter refused what features_and_limits asked for");
-    TestDevice {
-        adapter,
-        device,
-        queue,
-    }
+    TestDevice { adapter, device, queue }
 }

@@ -23,10 +23,7 @@ pub fn case(format: DepthFormat) -> LightCase {
         .filter(Filter::None)
         .bias(Bias::None)
         .resolve(&[
-            Resolve::Mask {
-                depth: MaskDepth::Linear,
-                normal: MaskNormal::Reconstructed,
-            },
+            Resolve::Mask { depth: MaskDepth::Linear, normal: MaskNormal::Reconstructed },
             Resolve::Function { group: 1 },
         ])
         .prefix("hand")
@@ -36,11 +33,7 @@ pub fn case(format: DepthFormat) -> LightCase {
 
 /// Its table with shaders written by hand.
 pub fn table(format: DepthFormat) -> CaseTable {
-    let shader = |kind, wgsl: String| Shader {
-        kind,
-        wgsl: wgsl.into(),
-        spirv: Vec::new().into(),
-    };
+    let shader = |kind, wgsl: String| Shader { kind, wgsl: wgsl.into(), spirv: Vec::new().into() };
     CaseTable {
         shaders: vec![
             shader(ShaderKind::Capture, CAPTURE.to_owned() + CAPTURE_UNCLIPPED),
@@ -66,33 +59,19 @@ pub fn four_facet_table() -> CaseTable {
         .prefix("hand")
         .build()
         .expect("the hand-made declaration is valid");
-    CaseTable {
-        shaders: table(DepthFormat::Depth32Float).shaders,
-        ..CaseTable::describe(&case)
-    }
+    CaseTable { shaders: table(DepthFormat::Depth32Float).shaders, ..CaseTable::describe(&case) }
 }
 
 /// A plan of one facet that looks straight down: x to the right, z down the map, depth 0 at `top` to 1 at `bottom`
 /// metres above the eye, `half` metres to each side.
 pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowPlan {
-    let tile = Tile {
-        x: 0,
-        y: 0,
-        width: MAP_SIDE,
-        height: MAP_SIDE,
-        gutter: 0,
-    };
+    let tile = Tile { x: 0, y: 0, width: MAP_SIDE, height: MAP_SIDE, gutter: 0 };
     ShadowPlan {
         configuration: "single",
         eye_world: view.eye_world,
         light: DVec4::Y,
         map_size_texels: (MAP_SIDE, MAP_SIDE),
-        selection: Selection {
-            borders: Vec::new(),
-            distances: Vec::new(),
-            thresholds: Vec::new(),
-            bands: 1,
-        },
+        selection: Selection { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands: 1 },
         facets: vec![facet_from_above(tile, half, top, bottom)],
     }
 }

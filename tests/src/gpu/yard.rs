@@ -39,10 +39,7 @@ impl Yard {
         let stand = |shape: usize, at: [f64; 3], size: [f64; 3], turn: f64| {
             let turn = DQuat::from_rotation_y(turn);
             let at = ORIGIN + DVec3::from_array(at);
-            (
-                shape,
-                DAffine3::from_scale_rotation_translation(DVec3::from_array(size), turn, at),
-            )
+            (shape, DAffine3::from_scale_rotation_translation(DVec3::from_array(size), turn, at))
         };
         let mut places = vec![
             stand(0, [0.0; 3], [1.0; 3], 0.0),
@@ -56,22 +53,14 @@ impl Yard {
         // Poles from thin to thinner, away from the eye.
         for pole in 0..6 {
             let step = f64::from(pole);
-            places.push(stand(
-                1,
-                [-3.0 + 2.3 * step, 0.0, -6.0 - 7.0 * step],
-                [0.12, 5.0, 0.12],
-                0.1 * step,
-            ));
+            places.push(stand(1, [-3.0 + 2.3 * step, 0.0, -6.0 - 7.0 * step], [0.12, 5.0, 0.12], 0.1 * step));
         }
         Self { geometries, places }
     }
 
     /// Buffers of the shapes.
     pub fn upload(&self, gpu: &TestDevice) -> Vec<GeometryBuffers> {
-        self.geometries
-            .iter()
-            .map(|geometry| geometry.upload(gpu))
-            .collect()
+        self.geometries.iter().map(|geometry| geometry.upload(gpu)).collect()
     }
 
     /// Adds the shapes to a service; the instances of the scene.
@@ -97,16 +86,12 @@ impl Yard {
     /// Triangles of one place relative to the eye.
     pub fn place_from_eye(&self, place: usize, eye_world: DVec3) -> Vec<[DVec3; 3]> {
         let (shape, world_from_object) = &self.places[place];
-        self.geometries[*shape]
-            .triangles_from_eye(world_from_object, eye_world)
-            .collect()
+        self.geometries[*shape].triangles_from_eye(world_from_object, eye_world).collect()
     }
 
     /// All triangles relative to the eye.
     pub fn triangles_from_eye(&self, eye_world: DVec3) -> Vec<[DVec3; 3]> {
-        (0..self.places.len())
-            .flat_map(|place| self.place_from_eye(place, eye_world))
-            .collect()
+        (0..self.places.len()).flat_map(|place| self.place_from_eye(place, eye_world)).collect()
     }
 
     /// Whether the service draws a place into a facet of a plan: its box's shadow reaches the facet.
@@ -115,11 +100,7 @@ impl Yard {
         let bounds = self.geometries[*shape].bounds();
         let corners = (0..8).map(|corner| {
             let pick = |axis: usize| {
-                if corner >> axis & 1 == 0 {
-                    bounds.min[axis]
-                } else {
-                    bounds.max[axis]
-                }
+                if corner >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] }
             };
             world_from_object.transform_point3(DVec3::new(pick(0), pick(1), pick(2))) - plan.eye_world
         });
@@ -147,17 +128,11 @@ pub fn hit(triangles: &[[DVec3; 3]], ray: DVec3) -> Option<Hit> {
         }
         let point = ray * along - triangle[0];
         let scale = 1.0 / normal.length_squared();
-        let (u, v) = (
-            point.cross(two).dot(normal) * scale,
-            one.cross(point).dot(normal) * scale,
-        );
+        let (u, v) = (point.cross(two).dot(normal) * scale, one.cross(point).dot(normal) * scale);
         let normal = normal.normalize() * -normal.dot(ray).signum();
         (u >= 0.0 && v >= 0.0 && u + v <= 1.0).then_some(Hit { along, normal })
     };
-    triangles
-        .iter()
-        .filter_map(meets)
-        .min_by(|one, other| one.along.total_cmp(&other.along))
+    triangles.iter().filter_map(meets).min_by(|one, other| one.along.total_cmp(&other.along))
 }
 
 /// Views of the yard: at eye level, from above, and close to the ground with an infinite far plane.
@@ -166,10 +141,7 @@ pub fn hit(triangles: &[[DVec3; 3]], ray: DVec3) -> Option<Hit> {
 /// Never; the views are fixed.
 pub fn views(size_pixels: (u32, u32)) -> [View; 3] {
     let view = |eye: [f64; 3], target: [f64; 3], fov: f64, far: f64| {
-        let (eye, target) = (
-            ORIGIN + DVec3::from_array(eye),
-            ORIGIN + DVec3::from_array(target),
-        );
+        let (eye, target) = (ORIGIN + DVec3::from_array(eye), ORIGIN + DVec3::from_array(target));
         View::perspective(eye, target, DVec3::Y, fov, 0.2, far, size_pixels).expect("a fixed view")
     };
     [

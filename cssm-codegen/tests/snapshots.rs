@@ -1,0 +1,96 @@
+//! What is generated, as text to read: the cases that ship, and one variant for each alternative of a slot.
+//!
+//! The variants lock only the modules in which they differ.
+
+use cssm_codegen::{Generated, dsl, generate};
+use cssm_core::LightCase;
+use cssm_core::table::ShaderKind;
+
+fn shipped(file: &str) -> Generated {
+    let path = format!("{}/../shaders-gen/cases/{file}.cssm", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap();
+    let cases = dsl::parse_file(file, &text).unwrap();
+    generate(&cases[0]).unwrap()
+}
+
+fn declared(body: &str) -> Generated {
+    let text = format!("pub case Sun {{ {body} }}");
+    let cases: Vec<LightCase> = dsl::parse_file("variant", &text).unwrap_or_else(|report| panic!("{report}"));
+    generate(&cases[0]).unwrap()
+}
+
+fn wgsl(generated: &Generated, kind: ShaderKind) -> &str {
+    generated.table.shader(kind).map_or("", |shader| &shader.wgsl)
+}
+
+#[test]
+fn sun() {
+    let sun = shipped("sun");
+    insta::assert_snapshot!("sun.capture.wgsl", wgsl(&sun, ShaderKind::Capture));
+    insta::assert_snapshot!("sun.capture_clamped.wgsl", wgsl(&sun, ShaderKind::CaptureClamped));
+    insta::assert_snapshot!("sun.mask.wgsl", wgsl(&sun, ShaderKind::Mask));
+    insta::assert_snapshot!("sun.function.wgsl", wgsl(&sun, ShaderKind::Function));
+    insta::assert_snapshot!("sun.json", sun.json);
+    insta::assert_snapshot!("sun.explain", sun.explain);
+}
+
+#[test]
+fn parallel_split() {
+    let pssm = shipped("pssm4_log");
+    insta::assert_snapshot!("pssm4_log.function.wgsl", wgsl(&pssm, ShaderKind::Function));
+    insta::assert_snapshot!("pssm4_log.json", pssm.json);
+    insta::assert_snapshot!("pssm4_log.explain", pssm.explain);
+    insta::assert_snapshot!("pssm4_practical.explain", shipped("pssm4_practical").explain);
+}
+
+#[test]
+fn standard() {
+    let standard = shipped("standard");
+    insta::assert_snapshot!("standard.function.wgsl", wgsl(&standard, ShaderKind::Function));
+    insta::assert_snapshot!("standard.explain", standard.explain);
+}
+
+#[test]
+fn least() {
+    let least = declared(
+        "technique: standard, shadow_distance: 100 m, filter: none, bias: none, resolve: [function { group: 0 }]",
+    );
+    insta::assert_snapshot!("least.function.wgsl", wgsl(&least, ShaderKind::Function));
+    insta::assert_snapshot!("least.json", least.json);
+    insta::assert_snapshot!("least.explain", least.explain);
+}
+
+#[test]
+fn linear_depth_and_normals_from_the_engine() {
+    let variant = declared("resolve: [mask { depth: linear, normal: texture }], filter: hardware_2x2");
+    insta::assert_snapshot!("linear_texture_hardware_plane.mask.wgsl", wgsl(&variant, ShaderKind::Mask));
+    insta::assert_snapshot!("linear_texture_hardware_plane.explain", variant.explain);
+}
+
+#[test]
+fn sectors_without_bands_and_world_texel_bias() {
+    let variant = declared(
+        "distribution: bands(1), bias: world_texel { a: 1 cm, b: 1.5 texels }, filter: hardware_2x2, \
+         resolve: [mask { depth: linear }]",
+    );
+    insta::assert_snapshot!("sectors_world_texel_hardware.mask.wgsl", wgsl(&variant, ShaderKind::Mask));
+}
+
+#[test]
+fn slope_bias_and_no_filter() {
+    let variant = declared("bias: slope(2 texels), filter: none, resolve: [function], distribution: bands(5)");
+    insta::assert_snapshot!("slope_none.function.wgsl", wgsl(&variant, ShaderKind::Function));
+    insta::assert_snapshot!("slope_none.json", variant.json);
+}
+
+#[test]
+fn constant_bias_and_gather() {
+    let variant = declared("bias: constant(5 cm), filter: gather_2x2, resolve: [function]");
+    insta::assert_snapshot!("constant_gather.function.wgsl", wgsl(&variant, ShaderKind::Function));
+}
+
+#[test]
+fn receiver_plane_and_no_filter() {
+    let variant = declared("bias: receiver_plane, filter: none, resolve: [function]");
+    insta::assert_snapshot!("plane_none.function.wgsl", wgsl(&variant, ShaderKind::Function));
+}

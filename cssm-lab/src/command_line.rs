@@ -1,0 +1,65 @@
+//! The command line.
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::demo::{self, DemoArguments};
+use crate::error::LabError;
+use crate::footprint_command::{self, FootprintArguments};
+use crate::progress::Progress;
+use crate::render::{self, RenderArguments};
+
+/// Sees and proves shadow maps: scenes, ray-cast truth, scores, pictures.
+#[derive(Debug, Parser)]
+#[command(name = "cssm-lab", version)]
+pub struct CommandLine {
+    /// Draw no progress bars
+    #[arg(long, global = true)]
+    quiet: bool,
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Render(RenderArguments),
+    Footprint(FootprintArguments),
+    Demo(DemoArguments),
+}
+
+/// Runs what the process's arguments say; results go to standard output, faults to standard error.
+pub fn run() -> ExitCode {
+    match run_command(&CommandLine::parse()) {
+        Ok(text) => {
+            print!("{text}");
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run_command(line: &CommandLine) -> Result<String, LabError> {
+    let progress = if line.quiet {
+        Progress::Hidden
+    } else {
+        Progress::Shown
+    };
+    match &line.command {
+        Command::Render(arguments) => {
+            let report = render::run(arguments, progress)?;
+            Ok(render::summary(&report) + "\n")
+        }
+        Command::Demo(arguments) => {
+            let (_, table) = demo::run(arguments, progress)?;
+            Ok(table)
+        }
+        Command::Footprint(arguments) => {
+            footprint_command::run(arguments)?;
+            Ok(String::new())
+        }
+    }
+}

@@ -101,10 +101,7 @@ impl Build {
         for path in &self.files {
             println!("cargo:rerun-if-changed={}", path.display());
         }
-        let out_dir = self
-            .out_dir
-            .clone()
-            .or_else(|| std::env::var_os("OUT_DIR").map(PathBuf::from));
+        let out_dir = self.out_dir.clone().or_else(|| std::env::var_os("OUT_DIR").map(PathBuf::from));
         let out_dir = out_dir.ok_or(BuildError::NoOutDir)?;
 
         // Read every file before any is written: prefixes must differ across files.
@@ -114,10 +111,7 @@ impl Build {
             let read = read_cases(path)?;
             let output = format!("{}.rs", path.file_stem().unwrap_or_default().to_string_lossy());
             if outputs.iter().any(|(earlier, _)| *earlier == output) {
-                return Err(BuildError::SameOutput {
-                    path: path.clone(),
-                    output,
-                });
+                return Err(BuildError::SameOutput { path: path.clone(), output });
             }
             outputs.push((output, read.len()));
             cases.extend(read);
@@ -137,10 +131,8 @@ impl Build {
 }
 
 fn read_cases(path: &Path) -> Result<Vec<LightCase>, BuildError> {
-    let text = fs::read_to_string(path).map_err(|source| BuildError::Read {
-        path: path.to_owned(),
-        source,
-    })?;
+    let text =
+        fs::read_to_string(path).map_err(|source| BuildError::Read { path: path.to_owned(), source })?;
     dsl::parse_file(&path.display().to_string(), &text)
         .map_err(|report| BuildError::Declaration(Box::new(report)))
 }

@@ -21,11 +21,7 @@ impl Prefix {
             ty.extend(letters.next().map(|first| first.to_ascii_uppercase()));
             ty.push_str(letters.as_str());
         }
-        Self {
-            value: format!("{prefix}_"),
-            ty,
-            constant: format!("{}_", prefix.to_ascii_uppercase()),
-        }
+        Self { value: format!("{prefix}_"), ty, constant: format!("{}_", prefix.to_ascii_uppercase()) }
     }
 
     /// The emitted name of a declaration of the library.
@@ -63,19 +59,14 @@ pub enum ComposeError {
 
 /// Composes what `roots` reach in `sources`, in the order of the sources, under a prefix.
 pub(crate) fn compose(sources: &[&str], roots: &[&str], prefix: &Prefix) -> Result<String, ComposeError> {
-    let declarations: Vec<_> = sources
-        .iter()
-        .flat_map(|source| wgsl::declarations(source))
-        .collect();
+    let declarations: Vec<_> = sources.iter().flat_map(|source| wgsl::declarations(source)).collect();
 
     // Give every declaration its emitted name.
     let mut names = BTreeMap::new();
     for declaration in &declarations {
         let emitted = prefix.apply(declaration.kind, declaration.name);
         if names.insert(declaration.name, emitted).is_some() {
-            return Err(ComposeError::Duplicate {
-                name: declaration.name.to_owned(),
-            });
+            return Err(ComposeError::Duplicate { name: declaration.name.to_owned() });
         }
     }
 
@@ -83,14 +74,8 @@ pub(crate) fn compose(sources: &[&str], roots: &[&str], prefix: &Prefix) -> Resu
     let reached = reach(&declarations, roots)?;
     let mut text = String::new();
     let mut above = None;
-    for declaration in declarations
-        .iter()
-        .filter(|declaration| reached.contains(declaration.name))
-    {
-        let close = matches!(
-            declaration.kind,
-            DeclarationKind::Constant | DeclarationKind::Variable
-        );
+    for declaration in declarations.iter().filter(|declaration| reached.contains(declaration.name)) {
+        let close = matches!(declaration.kind, DeclarationKind::Constant | DeclarationKind::Variable);
         text.push_str(match above {
             None => "",
             Some(kind) if close && kind == declaration.kind => "\n",
@@ -105,19 +90,15 @@ pub(crate) fn compose(sources: &[&str], roots: &[&str], prefix: &Prefix) -> Resu
 
 /// Names of all declarations that the roots use, directly or through others.
 fn reach<'a>(declarations: &[Declaration<'a>], roots: &[&str]) -> Result<BTreeSet<&'a str>, ComposeError> {
-    let by_name: BTreeMap<_, _> = declarations
-        .iter()
-        .map(|declaration| (declaration.name, declaration))
-        .collect();
+    let by_name: BTreeMap<_, _> =
+        declarations.iter().map(|declaration| (declaration.name, declaration)).collect();
     let mut reached = BTreeSet::new();
     let mut open = Vec::new();
     for root in roots {
         match by_name.get(root) {
             Some(declaration) => open.push(*declaration),
             None => {
-                return Err(ComposeError::Missing {
-                    name: (*root).to_owned(),
-                });
+                return Err(ComposeError::Missing { name: (*root).to_owned() });
             }
         }
     }

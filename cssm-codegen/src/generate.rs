@@ -84,10 +84,7 @@ pub(crate) fn table_with_shaders(case: &LightCase) -> Result<CaseTable, Generate
 pub(crate) fn check_prefixes(cases: &[LightCase]) -> Result<(), GenerateError> {
     for (index, case) in cases.iter().enumerate() {
         let types = |case: &LightCase| Prefix::new(&case.prefix).apply(DeclarationKind::Type, "");
-        if let Some(first) = cases[..index]
-            .iter()
-            .find(|earlier| types(earlier) == types(case))
-        {
+        if let Some(first) = cases[..index].iter().find(|earlier| types(earlier) == types(case)) {
             return Err(GenerateError::SharedPrefix {
                 prefix: case.prefix.clone(),
                 first: first.name.clone(),
@@ -114,9 +111,8 @@ fn shader(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> Result<Shade
     let prefix = Prefix::new(&case.prefix);
     let prelude = prelude::prelude(table, kind, &prefix);
     let (files, roots) = library::pick(case, kind);
-    let sources: Vec<_> = std::iter::once(prelude.as_str())
-        .chain(files.iter().map(|file| file.source))
-        .collect();
+    let sources: Vec<_> =
+        std::iter::once(prelude.as_str()).chain(files.iter().map(|file| file.source)).collect();
     let body = compose::compose(&sources, roots, &prefix).map_err(|source| GenerateError::Compose {
         case: case.name.clone(),
         shader: kind.name(),
@@ -134,11 +130,7 @@ fn shader(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> Result<Shade
         shader: kind.name(),
         source,
     })?;
-    Ok(Shader {
-        kind,
-        wgsl: wgsl.into(),
-        spirv: spirv.into(),
-    })
+    Ok(Shader { kind, wgsl: wgsl.into(), spirv: spirv.into() })
 }
 
 /// What the first lines of a module say: the case, its doc comment, what the module is, where it comes from.
@@ -171,7 +163,5 @@ pub(crate) fn doc_lines(doc: &str) -> Vec<String> {
         letter if letter.is_control() => ' ',
         letter => letter,
     };
-    doc.lines()
-        .map(|line| line.trim().chars().map(harmless).collect())
-        .collect()
+    doc.lines().map(|line| line.trim().chars().map(harmless).collect()).collect()
 }

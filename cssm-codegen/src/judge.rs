@@ -39,10 +39,7 @@ pub enum JudgeError {
 /// Parses and validates a module with nothing but WebGPU's core capabilities.
 pub(crate) fn validate(wgsl: &str) -> Result<Judged, JudgeError> {
     let capabilities = Capabilities::empty();
-    let options = Options {
-        parse_doc_comments: false,
-        capabilities,
-    };
+    let options = Options { parse_doc_comments: false, capabilities };
     let module = Frontend::new_with_options(options)
         .parse(wgsl)
         .map_err(|error| JudgeError::Parse(error.emit_to_string(wgsl)))?;
@@ -69,15 +66,10 @@ pub(crate) fn judge(wgsl: &str, table: &CaseTable, shader: ShaderKind) -> Result
 pub(crate) fn with_entry_point(wgsl: &str, table: &CaseTable) -> String {
     let prefix = &table.prefix;
     let head = format!("fn {prefix}_visibility(");
-    let parameters = wgsl
-        .split_once(&head)
-        .and_then(|(_, rest)| rest.split_once(')'))
-        .map_or("", |(head, _)| head);
+    let parameters =
+        wgsl.split_once(&head).and_then(|(_, rest)| rest.split_once(')')).map_or("", |(head, _)| head);
     let (inputs, arguments) = match parameters.contains("normal") {
-        true => (
-            "@location(0) position: vec3<f32>, @location(1) normal: vec3<f32>",
-            "position, normal",
-        ),
+        true => ("@location(0) position: vec3<f32>, @location(1) normal: vec3<f32>", "position, normal"),
         false => ("@location(0) position: vec3<f32>", "position"),
     };
     format!(
@@ -91,23 +83,12 @@ pub(crate) fn find_unused(module: &naga::Module) -> Result<(), JudgeError> {
     let mut kept = module.clone();
     compact(&mut kept, KeepUnused::No);
     let names = |module: &naga::Module| {
-        let functions = module
-            .functions
-            .iter()
-            .map(|(_, function)| ("function", function.name.clone()));
-        let globals = module
-            .global_variables
-            .iter()
-            .map(|(_, global)| ("binding", global.name.clone()));
+        let functions = module.functions.iter().map(|(_, function)| ("function", function.name.clone()));
+        let globals = module.global_variables.iter().map(|(_, global)| ("binding", global.name.clone()));
         let types = module.types.iter().map(|(_, ty)| ("type", ty.name.clone()));
-        let constants = module
-            .constants
-            .iter()
-            .map(|(_, constant)| ("constant", constant.name.clone()));
+        let constants = module.constants.iter().map(|(_, constant)| ("constant", constant.name.clone()));
         let named = functions.chain(globals).chain(types).chain(constants);
-        named
-            .filter_map(|(what, name)| name.map(|name| (what, name)))
-            .collect::<Vec<_>>()
+        named.filter_map(|(what, name)| name.map(|name| (what, name))).collect::<Vec<_>>()
     };
     let kept = names(&kept);
     let mut unused = names(module).into_iter().filter(|name| !kept.contains(name));
@@ -122,22 +103,12 @@ fn find_entry_points(module: &naga::Module, table: &CaseTable, shader: ShaderKin
         return Ok(());
     };
     let mut expected = vec![(naga::ShaderStage::Vertex, pass.vertex.as_ref())];
-    expected.extend(
-        pass.fragment
-            .as_deref()
-            .map(|name| (naga::ShaderStage::Fragment, name)),
-    );
-    let found: Vec<_> = module
-        .entry_points
-        .iter()
-        .map(|entry| (entry.stage, entry.name.as_str()))
-        .collect();
+    expected.extend(pass.fragment.as_deref().map(|name| (naga::ShaderStage::Fragment, name)));
+    let found: Vec<_> = module.entry_points.iter().map(|entry| (entry.stage, entry.name.as_str())).collect();
     if found == expected {
         return Ok(());
     }
-    Err(JudgeError::Table(format!(
-        "its entry points are {found:?}, but the table has {expected:?}"
-    )))
+    Err(JudgeError::Table(format!("its entry points are {found:?}, but the table has {expected:?}")))
 }
 
 fn find_bindings(module: &naga::Module, table: &CaseTable, shader: ShaderKind) -> Result<(), JudgeError> {
@@ -151,51 +122,36 @@ fn find_bindings(module: &naga::Module, table: &CaseTable, shader: ShaderKind) -
     let groups = table.groups.iter().filter(|group| group.shader == shader);
     let mut expected: Vec<_> = groups
         .flat_map(|group| {
-            group
-                .bindings
-                .iter()
-                .map(|binding| (group.group, binding.binding, binding.name.to_string()))
+            group.bindings.iter().map(|binding| (group.group, binding.binding, binding.name.to_string()))
         })
         .collect();
     expected.sort();
     if found == expected {
         return Ok(());
     }
-    Err(JudgeError::Table(format!(
-        "its bindings are {found:?}, but the table has {expected:?}"
-    )))
+    Err(JudgeError::Table(format!("its bindings are {found:?}, but the table has {expected:?}")))
 }
 
 /// Compares the records that the module declares with the table's sizes and offsets.
 fn find_records(module: &naga::Module, table: &CaseTable) -> Result<(), JudgeError> {
     let mut layouter = Layouter::default();
-    layouter
-        .update(module.to_ctx())
-        .map_err(|error| JudgeError::Table(error.to_string()))?;
+    layouter.update(module.to_ctx()).map_err(|error| JudgeError::Table(error.to_string()))?;
     for record in table.records.iter() {
-        let declared = module
-            .types
-            .iter()
-            .find(|(_, ty)| ty.name.as_deref() == Some(&*record.name));
+        let declared = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(&*record.name));
         let Some((handle, ty)) = declared else { continue };
         let naga::TypeInner::Struct { members, .. } = &ty.inner else {
             continue;
         };
-        let found: Vec<_> = members
-            .iter()
-            .map(|member| (member.name.clone().unwrap_or_default(), member.offset))
-            .collect();
+        let found: Vec<_> =
+            members.iter().map(|member| (member.name.clone().unwrap_or_default(), member.offset)).collect();
         check_record(record, layouter[handle].size, &found)?;
     }
     Ok(())
 }
 
 fn check_record(record: &Record, size_bytes: u32, found: &[(String, u32)]) -> Result<(), JudgeError> {
-    let expected: Vec<_> = record
-        .fields
-        .iter()
-        .map(|field| (field.name.to_string(), field.offset_bytes))
-        .collect();
+    let expected: Vec<_> =
+        record.fields.iter().map(|field| (field.name.to_string(), field.offset_bytes)).collect();
     if size_bytes == record.size_bytes && found == expected {
         return Ok(());
     }

@@ -80,11 +80,7 @@ pub(crate) fn pick(case: &LightCase, shader: ShaderKind) -> (Vec<LibraryFile>, &
             &["visibility"]
         }
     };
-    let files = LIBRARY
-        .iter()
-        .filter(|file| names.contains(&file.name))
-        .copied()
-        .collect();
+    let files = LIBRARY.iter().filter(|file| names.contains(&file.name)).copied().collect();
     (files, roots)
 }
 

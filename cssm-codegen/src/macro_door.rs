@@ -26,25 +26,14 @@ pub fn macro_expand(input: TokenStream) -> TokenStream {
 fn modules(crate_path: &str, cases: &[LightCase]) -> Result<TokenStream, GenerateError> {
     let crate_path = rust::crate_path(crate_path)?;
     generate::check_prefixes(cases)?;
-    let module = |case| {
-        Ok(rust::module(
-            case,
-            &generate::table_with_shaders(case)?,
-            &crate_path,
-        ))
-    };
+    let module = |case| Ok(rust::module(case, &generate::table_with_shaders(case)?, &crate_path));
     cases.iter().map(module).collect()
 }
 
 /// Takes a leading `#![crate_path(..)]` off the input.
 fn split_crate_path(input: TokenStream) -> (String, TokenStream) {
     let tokens: Vec<_> = input.clone().into_iter().collect();
-    if let [
-        TokenTree::Punct(hash),
-        TokenTree::Punct(bang),
-        TokenTree::Group(attribute),
-        rest @ ..,
-    ] = &*tokens
+    if let [TokenTree::Punct(hash), TokenTree::Punct(bang), TokenTree::Group(attribute), rest @ ..] = &*tokens
         && (hash.as_char(), bang.as_char(), attribute.delimiter()) == ('#', '!', Delimiter::Bracket)
         && let [TokenTree::Ident(name), TokenTree::Group(path)] =
             &*attribute.stream().into_iter().collect::<Vec<_>>()

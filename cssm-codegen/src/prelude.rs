@@ -19,10 +19,7 @@ pub(crate) fn prelude(table: &CaseTable, shader: ShaderKind, prefix: &Prefix) ->
             ConstantValue::F32(value) => ("f32", float(value)),
             ConstantValue::Vec2([x, y]) => ("vec2<f32>", format!("vec2<f32>({}, {})", float(x), float(y))),
         };
-        line(
-            &mut text,
-            format_args!("const {}: {ty} = {value};\n", constant.kind.name()),
-        );
+        line(&mut text, format_args!("const {}: {ty} = {value};\n", constant.kind.name()));
     }
     for record in table.records.iter() {
         print_record(record, &mut text);
@@ -63,22 +60,10 @@ pub(crate) fn binding_type(kind: BindingKind) -> &'static str {
 /// One sentence on what is bound.
 pub(crate) fn binding_summary(kind: BindingKind) -> &'static str {
     match kind {
-        BindingKind::Uniform {
-            record: RecordKind::Facet,
-            ..
-        } => "One facet.",
-        BindingKind::Uniform {
-            record: RecordKind::Shadow,
-            ..
-        } => "The plan.",
-        BindingKind::Uniform {
-            record: RecordKind::Capture,
-            ..
-        } => "The facet that is captured.",
-        BindingKind::Uniform {
-            record: RecordKind::Mask,
-            ..
-        } => "The view.",
+        BindingKind::Uniform { record: RecordKind::Facet, .. } => "One facet.",
+        BindingKind::Uniform { record: RecordKind::Shadow, .. } => "The plan.",
+        BindingKind::Uniform { record: RecordKind::Capture, .. } => "The facet that is captured.",
+        BindingKind::Uniform { record: RecordKind::Mask, .. } => "The view.",
         BindingKind::Map => "The shadow map.",
         BindingKind::SceneDepth => "The engine's depth, reversed-z.",
         BindingKind::SceneLinearDepth => "The engine's depth in metres along the view axis.",
@@ -112,10 +97,7 @@ fn print_binding(group: u32, binding: &Binding, prefix: &Prefix, text: &mut Stri
     let number = binding.binding;
     line(text, format_args!("/// {}", binding_summary(binding.kind)));
     line(text, format_args!("@group({group}) @binding({number})"));
-    line(
-        text,
-        format_args!("{space} {name}: {};\n", binding_type(binding.kind)),
-    );
+    line(text, format_args!("{space} {name}: {};\n", binding_type(binding.kind)));
 }
 
 fn line(text: &mut String, arguments: std::fmt::Arguments<'_>) {

@@ -61,22 +61,13 @@ pub(crate) fn tokens(text: &str) -> impl Iterator<Item = Token<'_>> {
         let (kind, length) = if first.is_whitespace() {
             (TokenKind::Space, run(char::is_whitespace))
         } else if first.is_ascii_alphabetic() || first == '_' {
-            (
-                TokenKind::Word,
-                run(|letter| letter.is_ascii_alphanumeric() || letter == '_'),
-            )
+            (TokenKind::Word, run(|letter| letter.is_ascii_alphanumeric() || letter == '_'))
         } else if first.is_ascii_digit() {
-            (
-                TokenKind::Number,
-                run(|letter| letter.is_ascii_alphanumeric() || letter == '.'),
-            )
+            (TokenKind::Number, run(|letter| letter.is_ascii_alphanumeric() || letter == '.'))
         } else if rest.starts_with("//") {
             (TokenKind::Comment, rest.find('\n').unwrap_or(rest.len()))
         } else if rest.starts_with("/*") {
-            (
-                TokenKind::Comment,
-                rest.find("*/").map_or(rest.len(), |end| end + 2),
-            )
+            (TokenKind::Comment, rest.find("*/").map_or(rest.len(), |end| end + 2))
         } else {
             (TokenKind::Mark, first.len_utf8())
         };
@@ -176,10 +167,7 @@ mod tests {
         let found = declarations(SOURCE);
         let names: Vec<_> = found.iter().map(|found| (found.kind, found.name)).collect();
         use DeclarationKind::{Constant, Function, Type, Variable};
-        assert_eq!(
-            names,
-            [(Constant, "A"), (Type, "B"), (Variable, "c"), (Function, "d")]
-        );
+        assert_eq!(names, [(Constant, "A"), (Type, "B"), (Variable, "c"), (Function, "d")]);
         assert_eq!(found[0].text, "/// Doc.\nconst A: f32 = 1.0;");
         assert!(found[2].text.starts_with("@group(0)"));
         assert!(found[3].text.starts_with("/// Two\n/// lines.\n@vertex") && found[3].text.ends_with('}'));

@@ -20,10 +20,7 @@ pub struct WriteError {
 /// # Errors
 /// A [`WriteError`] that names the file.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<bool, WriteError> {
-    let fail = |source: io::Error| WriteError {
-        path: path.to_owned(),
-        source,
-    };
+    let fail = |source: io::Error| WriteError { path: path.to_owned(), source };
     if fs::read(path).is_ok_and(|old| old == bytes) {
         return Ok(false);
     }

@@ -87,7 +87,9 @@ fn an_interface_that_is_not_declared_is_not_there() {
     let function = declared("resolve: [function]");
     assert!(mask.table.shader(ShaderKind::Function).is_none());
     assert!(function.table.shader(ShaderKind::Mask).is_none());
-    assert!(function.table.record(RecordKind::Mask).is_none() && function.table.pass(ShaderKind::Mask).is_none());
+    assert!(
+        function.table.record(RecordKind::Mask).is_none() && function.table.pass(ShaderKind::Mask).is_none()
+    );
     assert!(mask.rust.len() < both.rust.len() && function.rust.len() < both.rust.len());
     assert!(mask.json.len() < both.json.len() && function.json.len() < both.json.len());
 }

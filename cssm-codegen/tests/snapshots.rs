@@ -78,7 +78,8 @@ fn sectors_without_bands_and_world_texel_bias() {
 
 #[test]
 fn slope_bias_and_no_filter() {
-    let variant = declared("bias: slope(2 texels), filter: none, resolve: [function], distribution: bands(5)");
+    let variant =
+        declared("bias: slope(2 texels), filter: none, resolve: [function], distribution: bands(5)");
     insta::assert_snapshot!("slope_none.function.wgsl", wgsl(&variant, ShaderKind::Function));
     insta::assert_snapshot!("slope_none.json", variant.json);
 }

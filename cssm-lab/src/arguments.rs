@@ -14,19 +14,13 @@ pub fn parse_point(text: &str) -> Result<DVec3, String> {
     let numbers: Vec<f64> = text
         .split(',')
         .map(|number| {
-            number
-                .trim()
-                .parse()
-                .map_err(|_| format!("`{}` is not a number; write x,y,z", number.trim()))
+            number.trim().parse().map_err(|_| format!("`{}` is not a number; write x,y,z", number.trim()))
         })
         .collect::<Result<_, String>>()?;
     match numbers[..] {
         [x, y, z] if DVec3::new(x, y, z).is_finite() => Ok(DVec3::new(x, y, z)),
         [_, _, _] => Err("the numbers must be finite".to_owned()),
-        _ => Err(format!(
-            "{} numbers were given; write three: x,y,z",
-            numbers.len()
-        )),
+        _ => Err(format!("{} numbers were given; write three: x,y,z", numbers.len())),
     }
 }
 
@@ -71,10 +65,7 @@ pub fn parse_image_size(text: &str) -> Result<(u32, u32), String> {
 /// What to write instead.
 pub fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let sides = text.split_once(['x', 'X']).and_then(|(width, height)| {
-        Some((
-            width.trim().parse::<u32>().ok()?,
-            height.trim().parse::<u32>().ok()?,
-        ))
+        Some((width.trim().parse::<u32>().ok()?, height.trim().parse::<u32>().ok()?))
     });
     sides
         .filter(|(width, height)| *width > 0 && *height > 0)
@@ -110,10 +101,7 @@ mod tests {
             parse_image_size("0x3").map(|_| ()),
             parse_image_size("99999x3").map(|_| ()),
         ];
-        let texts: Vec<_> = errors
-            .into_iter()
-            .map(|error| error.expect_err("the value is wrong"))
-            .collect();
+        let texts: Vec<_> = errors.into_iter().map(|error| error.expect_err("the value is wrong")).collect();
         assert_eq!(texts[0], "2 numbers were given; write three: x,y,z");
         assert_eq!(texts[1], "`three` is not a number; write x,y,z");
         assert!(texts[3].contains("directional:x,y,z"));

@@ -43,11 +43,7 @@ pub fn run() -> ExitCode {
 }
 
 fn run_command(line: &CommandLine) -> Result<String, LabError> {
-    let progress = if line.quiet {
-        Progress::Hidden
-    } else {
-        Progress::Shown
-    };
+    let progress = if line.quiet { Progress::Hidden } else { Progress::Shown };
     match &line.command {
         Command::Render(arguments) => {
             let report = render::run(arguments, progress)?;

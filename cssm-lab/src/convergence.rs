@@ -60,11 +60,7 @@ pub fn convergence(
     for side in sides {
         let case = with_map_size(case.clone(), (*side, *side))?;
         let score = stage.attempt(&case, method)?.outcome()?.score;
-        levels.push(Level {
-            side: *side,
-            judged: is_judged(&score),
-            score,
-        });
+        levels.push(Level { side: *side, judged: is_judged(&score), score });
     }
     summary(levels)
 }
@@ -84,28 +80,14 @@ fn summary(levels: Vec<Level>) -> Result<Convergence, LabError> {
     }
     let points: Vec<_> = judged()
         .filter(|level| SLOPE_SIDES.contains(&level.side))
-        .map(|level| {
-            (
-                libm::log2(f64::from(level.side)),
-                libm::log2(level.score.mismatch),
-            )
-        })
+        .map(|level| (libm::log2(f64::from(level.side)), libm::log2(level.score.mismatch)))
         .collect();
-    let interior = judged()
-        .map(|level| level.score.leak.interior + level.score.acne.interior)
-        .fold(0.0, f64::max);
+    let interior =
+        judged().map(|level| level.score.leak.interior + level.score.acne.interior).fold(0.0, f64::max);
     let pooled = judged().fold((0, 0), |(wrong, pixels), level| {
-        (
-            wrong + level.score.interior_wrong_pixels,
-            pixels + level.score.facing_pixels,
-        )
+        (wrong + level.score.interior_wrong_pixels, pixels + level.score.facing_pixels)
     });
-    Ok(Convergence {
-        slope: slope(&points),
-        interior,
-        interior_pooled: pooled,
-        levels,
-    })
+    Ok(Convergence { slope: slope(&points), interior, interior_pooled: pooled, levels })
 }
 
 #[cfg(test)]
@@ -115,17 +97,8 @@ mod tests {
     fn level(side: u32, wrong: u64) -> Level {
         let facing_pixels = 100_000;
         let mismatch = wrong as f64 / facing_pixels as f64;
-        let score = Score {
-            facing_pixels,
-            mismatch,
-            interior_area: 0.8,
-            ..Score::default()
-        };
-        Level {
-            side,
-            judged: is_judged(&score),
-            score,
-        }
+        let score = Score { facing_pixels, mismatch, interior_area: 0.8, ..Score::default() };
+        Level { side, judged: is_judged(&score), score }
     }
 
     #[test]
@@ -146,9 +119,6 @@ mod tests {
         let found = summary(vec![level(512, 4000), level(1024, 2000), level(2048, 199)]).unwrap();
         assert!(!found.levels[2].judged);
         assert!((found.slope.unwrap() + 1.0).abs() < 1e-9);
-        assert!(matches!(
-            summary(vec![level(512, 10)]),
-            Err(LabError::NothingJudged { .. })
-        ));
+        assert!(matches!(summary(vec![level(512, 10)]), Err(LabError::NothingJudged { .. })));
     }
 }

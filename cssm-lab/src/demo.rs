@@ -23,16 +23,8 @@ use crate::truth::Tracer;
 
 /// The declarations that ship, and the names under which the demo shows them.
 const CASES: [(&str, &str, &str); 2] = [
-    (
-        "sun.cssm",
-        "Sun",
-        include_str!("../../shaders-gen/cases/sun.cssm"),
-    ),
-    (
-        "pssm4_log.cssm",
-        "Pssm4Log",
-        include_str!("../../shaders-gen/cases/pssm4_log.cssm"),
-    ),
+    ("sun.cssm", "Sun", include_str!("../../shaders-gen/cases/sun.cssm")),
+    ("pssm4_log.cssm", "Pssm4Log", include_str!("../../shaders-gen/cases/pssm4_log.cssm")),
 ];
 
 const FOV_Y_DEGREES: f64 = 60.0;
@@ -107,10 +99,7 @@ fn show_scene(
         arguments.size,
     )?;
     let light = Light::directional_travelling(spot.light_travels)?;
-    let options = StageOptions {
-        supersample: false,
-        progress,
-    };
+    let options = StageOptions { supersample: true, progress };
     let stage = Stage::new(gpu, scene, &tracer, view, light, options)?;
 
     let attempts = cases
@@ -123,9 +112,7 @@ fn show_scene(
     for (attempt, time) in attempts.iter().zip(times) {
         let outcome = attempt.outcome()?;
         let report = Report::new(attempt, &outcome, Some(time));
-        let folder = arguments
-            .out
-            .join(format!("{}-{}", scene.name, attempt.case.prefix));
+        let folder = arguments.out.join(format!("{}-{}", scene.name, attempt.case.prefix));
         create_folder(&folder)?;
         write_results(&folder, attempt, &outcome, &report)?;
 

@@ -39,9 +39,7 @@ impl FrameLayers<'_> {
     pub fn channels(&self) -> Vec<(&'static str, Vec<f32>)> {
         let surface = |value: &dyn Fn(usize, &Visible) -> f64| -> Vec<f32> {
             let sample = |(index, pixel): (usize, &Option<Visible>)| {
-                pixel
-                    .as_ref()
-                    .map_or(f32::NAN, |pixel| value(index, pixel) as f32)
+                pixel.as_ref().map_or(f32::NAN, |pixel| value(index, pixel) as f32)
             };
             self.frame.pixels.iter().enumerate().map(sample).collect()
         };
@@ -57,19 +55,10 @@ impl FrameLayers<'_> {
             ("normal.X", axis(|pixel| pixel.normal, 0)),
             ("normal.Y", axis(|pixel| pixel.normal, 1)),
             ("normal.Z", axis(|pixel| pixel.normal, 2)),
-            (
-                "visibility.map",
-                surface(&|index, _| f64::from(self.visibility[index])),
-            ),
-            (
-                "visibility.truth",
-                surface(&|_, pixel| f64::from(u8::from(pixel.lit))),
-            ),
+            ("visibility.map", surface(&|index, _| f64::from(self.visibility[index]))),
+            ("visibility.truth", surface(&|_, pixel| f64::from(u8::from(pixel.lit)))),
             ("facet", surface(&|index, _| facet(index))),
-            (
-                "footprint",
-                surface(&|index, _| self.footprints[index].map_or(f64::NAN, |f| f.volume_pixels)),
-            ),
+            ("footprint", surface(&|index, _| self.footprints[index].map_or(f64::NAN, |f| f.volume_pixels))),
         ]
     }
 
@@ -83,20 +72,14 @@ impl FrameLayers<'_> {
             .into_iter()
             .map(|(name, samples)| AnyChannel::new(name, FlatSamples::F32(samples)))
             .collect();
-        let encoding = Encoding {
-            compression: Compression::ZIP16,
-            ..Encoding::SMALL_LOSSLESS
-        };
+        let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::SMALL_LOSSLESS };
         let layer = Layer::new(
             (self.frame.width, self.frame.height),
             LayerAttributes::default(),
             encoding,
             AnyChannels::sort(channels),
         );
-        let fail = |source| ExrError {
-            path: path.to_owned(),
-            source,
-        };
+        let fail = |source| ExrError { path: path.to_owned(), source };
         Image::from_layer(layer).write().to_file(path).map_err(fail)
     }
 }
@@ -118,16 +101,8 @@ mod tests {
             triangle: 9,
             lit: true,
         };
-        let footprint = PixelFootprint {
-            volume_pixels: 1.25,
-            geometric_pixels: 1.0,
-            surface_pixels: 2.0,
-        };
-        let frame = Frame {
-            width: 2,
-            height: 1,
-            pixels: vec![Some(visible), None],
-        };
+        let footprint = PixelFootprint { volume_pixels: 1.25, geometric_pixels: 1.0, surface_pixels: 2.0 };
+        let frame = Frame { width: 2, height: 1, pixels: vec![Some(visible), None] };
         let layers = FrameLayers {
             frame: &frame,
             visibility: &[0.25, 1.0],

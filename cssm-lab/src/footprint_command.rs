@@ -95,10 +95,7 @@ struct Direction {
 
 impl Direction {
     fn unit(&self) -> DVec3 {
-        let (elevation, azimuth) = (
-            self.elevation_degrees.to_radians(),
-            self.azimuth_degrees.to_radians(),
-        );
+        let (elevation, azimuth) = (self.elevation_degrees.to_radians(), self.azimuth_degrees.to_radians());
         let level = elevation.cos();
         DVec3::new(level * azimuth.sin(), elevation.sin(), -level * azimuth.cos())
     }
@@ -121,10 +118,9 @@ impl Direction {
 fn parse_direction(text: &str) -> Result<Direction, String> {
     let numbers: Option<Vec<f64>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
     match numbers.as_deref() {
-        Some([elevation, azimuth]) if elevation.is_finite() && azimuth.is_finite() => Ok(Direction {
-            elevation_degrees: *elevation,
-            azimuth_degrees: *azimuth,
-        }),
+        Some([elevation, azimuth]) if elevation.is_finite() && azimuth.is_finite() => {
+            Ok(Direction { elevation_degrees: *elevation, azimuth_degrees: *azimuth })
+        }
         _ => Err("write elevation,azimuth in degrees, such as 45,180".into()),
     }
 }
@@ -134,16 +130,10 @@ fn light_grid() -> Vec<Direction> {
     let mut grid = Vec::new();
     for elevation_degrees in [5.0, 15.0, 25.0, 35.0, 45.0, 60.0, 75.0] {
         for azimuth_degrees in [0.0, 45.0, 90.0, 135.0, 180.0] {
-            grid.push(Direction {
-                elevation_degrees,
-                azimuth_degrees,
-            });
+            grid.push(Direction { elevation_degrees, azimuth_degrees });
         }
     }
-    grid.push(Direction {
-        elevation_degrees: 90.0,
-        azimuth_degrees: 0.0,
-    });
+    grid.push(Direction { elevation_degrees: 90.0, azimuth_degrees: 0.0 });
     grid
 }
 
@@ -190,11 +180,7 @@ pub fn run(arguments: &FootprintArguments) -> Result<(), FootprintError> {
         (width, arguments.lines),
     )?;
     let grid = light_grid();
-    let lights = if arguments.lights.is_empty() {
-        &grid
-    } else {
-        &arguments.lights
-    };
+    let lights = if arguments.lights.is_empty() { &grid } else { &arguments.lights };
     let mut rows = Vec::new();
     for (name, case) in cases(arguments)? {
         for light in lights {
@@ -206,10 +192,7 @@ pub fn run(arguments: &FootprintArguments) -> Result<(), FootprintError> {
         let report = Report { rows };
         let text = serde_json::to_string_pretty(&report).map_err(std::io::Error::from);
         let written = text.and_then(|text| std::fs::write(path, text + "\n"));
-        written.map_err(|source| FootprintError::File {
-            path: path.clone(),
-            source,
-        })?;
+        written.map_err(|source| FootprintError::File { path: path.clone(), source })?;
     }
     Ok(())
 }
@@ -218,10 +201,8 @@ pub fn run(arguments: &FootprintArguments) -> Result<(), FootprintError> {
 fn cases(arguments: &FootprintArguments) -> Result<Vec<(String, LightCase)>, FootprintError> {
     let mut cases = Vec::new();
     for path in &arguments.cases {
-        let text = std::fs::read_to_string(path).map_err(|source| FootprintError::File {
-            path: path.clone(),
-            source,
-        })?;
+        let text = std::fs::read_to_string(path)
+            .map_err(|source| FootprintError::File { path: path.clone(), source })?;
         let parsed = cssm_codegen::dsl::parse_file(&path.display().to_string(), &text)
             .map_err(|report| FootprintError::Declaration(report.render()))?;
         cases.extend(parsed.into_iter().map(|case| (case.name.clone(), case)));
@@ -249,16 +230,10 @@ fn built_in_cases(far_metres: f64) -> Result<Vec<(String, LightCase)>, Footprint
     };
     let practical = Word::with("practical", [("lambda", Value::Number(0.5))]);
     let builders = [
-        (
-            "standard",
-            LightCase::builder("Standard").technique(Word::plain("standard")),
-        ),
+        ("standard", LightCase::builder("Standard").technique(Word::plain("standard"))),
         ("pssm4_log", split(Word::plain("logarithmic"))),
         ("pssm4_practical", split(practical)),
-        (
-            "face_columns_8",
-            LightCase::builder("Faces").bands(8, HORIZON_METRES),
-        ),
+        ("face_columns_8", LightCase::builder("Faces").bands(8, HORIZON_METRES)),
     ];
     let build = |(name, builder): (&str, cssm_core::case::LightCaseBuilder)| {
         let bounded = if name == "face_columns_8" {
@@ -267,13 +242,7 @@ fn built_in_cases(far_metres: f64) -> Result<Vec<(String, LightCase)>, Footprint
             builder.shadow_distance_metres(far_metres)
         };
         let case = bounded.build().map_err(|errors| {
-            FootprintError::Declaration(
-                errors
-                    .iter()
-                    .map(ToString::to_string)
-                    .collect::<Vec<_>>()
-                    .join("\n"),
-            )
+            FootprintError::Declaration(errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))
         })?;
         Ok((name.to_string(), case))
     };
@@ -288,19 +257,14 @@ fn row(
     arguments: &FootprintArguments,
 ) -> Result<Row, FootprintError> {
     let toward = direction.unit();
-    let light = Light::Directional {
-        toward_light_world: toward,
-    };
+    let light = Light::Directional { toward_light_world: toward };
     let plan = plan(case, view, &light, &SceneBounds::default()).map_err(|source| FootprintError::Plan {
         case: name.to_string(),
         elevation: direction.elevation_degrees,
         azimuth: direction.azimuth_degrees,
         source,
     })?;
-    let far = view
-        .far_metres
-        .min(case.shadow_distance_metres.unwrap_or(f64::INFINITY))
-        .min(HORIZON_METRES);
+    let far = view.far_metres.min(case.shadow_distance_metres.unwrap_or(f64::INFINITY)).min(HORIZON_METRES);
     let VolumeScore {
         median_pixels,
         p95_pixels,
@@ -342,15 +306,7 @@ fn table(rows: &[Row], each: bool) -> String {
         format!("{case:<18} {light:<16}{}\n", numbers.concat())
     };
     let numbers = |row: &Row| {
-        [
-            row.median,
-            row.p95,
-            row.p99,
-            row.max,
-            row.geometric_p95,
-            row.beam_utilisation,
-            row.p95_per_bound,
-        ]
+        [row.median, row.p95, row.p99, row.max, row.geometric_p95, row.beam_utilisation, row.p95_per_bound]
     };
     if each {
         for row in rows {
@@ -363,11 +319,8 @@ fn table(rows: &[Row], each: bool) -> String {
     names.dedup();
     for name in names {
         for class in ["general", "border", "dueling", "side"] {
-            let of_class: Vec<[f64; 7]> = rows
-                .iter()
-                .filter(|row| row.case == name && row.class == class)
-                .map(numbers)
-                .collect();
+            let of_class: Vec<[f64; 7]> =
+                rows.iter().filter(|row| row.case == name && row.class == class).map(numbers).collect();
             let medians = std::array::from_fn(|column| {
                 let mut values: Vec<f64> = of_class.iter().map(|numbers| numbers[column]).collect();
                 values.sort_by(f64::total_cmp);
@@ -375,33 +328,17 @@ fn table(rows: &[Row], each: bool) -> String {
             });
             text += &line(name, &format!("{class} ({})", of_class.len()), medians);
         }
-        let unassigned: usize = rows
-            .iter()
-            .filter(|row| row.case == name)
-            .map(|row| row.unassigned)
-            .sum();
-        let multiple: usize = rows
-            .iter()
-            .filter(|row| row.case == name)
-            .map(|row| row.multiply_assigned)
-            .sum();
+        let unassigned: usize = rows.iter().filter(|row| row.case == name).map(|row| row.unassigned).sum();
+        let multiple: usize =
+            rows.iter().filter(|row| row.case == name).map(|row| row.multiply_assigned).sum();
         text += &format!("{name:<18} receivers in no facet: {unassigned}, in several: {multiple}\n");
     }
 
     // Compare with logarithmic splits light by light.
-    let p95 = |name: &str| {
-        rows.iter()
-            .filter(|row| row.case == name)
-            .map(|row| row.p95)
-            .collect::<Vec<_>>()
-    };
+    let p95 = |name: &str| rows.iter().filter(|row| row.case == name).map(|row| row.p95).collect::<Vec<_>>();
     let (splits, faces) = (p95("pssm4_log"), p95("face_columns_8"));
     if splits.len() == faces.len() && !faces.is_empty() {
-        let worst = splits
-            .iter()
-            .zip(&faces)
-            .map(|(split, face)| split / face)
-            .fold(f64::INFINITY, f64::min);
+        let worst = splits.iter().zip(&faces).map(|(split, face)| split / face).fold(f64::INFINITY, f64::min);
         text += &format!("pssm4_log p95 / face_columns_8 p95, worst light: {worst:.2}\n");
     }
     text

@@ -117,22 +117,12 @@ impl Gpu {
             required_limits: limits,
             ..Default::default()
         }))?;
-        Ok(Self {
-            device,
-            queue,
-            info: adapter.get_info(),
-        })
+        Ok(Self { device, queue, info: adapter.get_info() })
     }
 
     /// Name, backend and driver of the adapter, for reports.
     pub fn adapter(&self) -> String {
-        let wgpu::AdapterInfo {
-            name,
-            backend,
-            driver,
-            driver_info,
-            ..
-        } = &self.info;
+        let wgpu::AdapterInfo { name, backend, driver, driver_info, .. } = &self.info;
         format!("{name} ({backend:?}, {driver} {driver_info})")
     }
 
@@ -146,16 +136,10 @@ impl Gpu {
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let created = create();
-        let errors = [
-            pollster::block_on(validation.pop()),
-            pollster::block_on(memory.pop()),
-        ];
+        let errors = [pollster::block_on(validation.pop()), pollster::block_on(memory.pop())];
         match errors.into_iter().flatten().next() {
             None => Ok(created),
-            Some(error) => Err(GpuError::Refused {
-                what,
-                reason: error.to_string(),
-            }),
+            Some(error) => Err(GpuError::Refused { what, reason: error.to_string() }),
         }
     }
 
@@ -169,11 +153,7 @@ impl Gpu {
         self.checked("an image", || {
             self.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some("cssm lab"),
-                size: wgpu::Extent3d {
-                    width,
-                    height,
-                    depth_or_array_layers: 1,
-                },
+                size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,

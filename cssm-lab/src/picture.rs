@@ -61,11 +61,7 @@ pub struct PictureError {
 impl Picture {
     /// A picture of one colour.
     pub fn filled(width: usize, height: usize, colour: Colour) -> Self {
-        Self {
-            width,
-            height,
-            pixels: vec![colour; width * height],
-        }
+        Self { width, height, pixels: vec![colour; width * height] }
     }
 
     /// Sets a pixel; outside the picture nothing happens.
@@ -152,11 +148,7 @@ impl Picture {
         let letters =
             (self.width.saturating_sub(2 * MARGIN_PIXELS) / FONT.character_size.width as usize).max(1);
         let lines = wrapped(text, letters);
-        let mut titled = Self::filled(
-            self.width,
-            self.height + lines.len() * LINE_PIXELS,
-            LABEL_BACKGROUND,
-        );
+        let mut titled = Self::filled(self.width, self.height + lines.len() * LINE_PIXELS, LABEL_BACKGROUND);
         for (index, line) in lines.iter().enumerate() {
             titled.label(index * LINE_PIXELS, line);
         }
@@ -169,23 +161,15 @@ impl Picture {
     /// # Errors
     /// When the file cannot be written.
     pub fn write_png(&self, path: &Path) -> Result<(), PictureError> {
-        let fail = |source| PictureError {
-            path: path.to_owned(),
-            source,
-        };
+        let fail = |source| PictureError { path: path.to_owned(), source };
         let file = std::fs::File::create(path).map_err(|error| fail(error.into()))?;
-        let mut encoder = png::Encoder::new(
-            std::io::BufWriter::new(file),
-            self.width as u32,
-            self.height as u32,
-        );
+        let mut encoder =
+            png::Encoder::new(std::io::BufWriter::new(file), self.width as u32, self.height as u32);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
         let mut writer = encoder.write_header().map_err(fail)?;
-        writer
-            .write_image_data(self.pixels.as_flattened())
-            .map_err(fail)?;
+        writer.write_image_data(self.pixels.as_flattened()).map_err(fail)?;
         writer.finish().map_err(fail)
     }
 }
@@ -210,11 +194,8 @@ fn wrapped(text: &str, letters: usize) -> Vec<String> {
 /// sRGB byte of a linear channel.
 pub(crate) fn srgb_byte(linear: f64) -> u8 {
     let linear = linear.clamp(0.0, 1.0);
-    let encoded = if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055
-    };
+    let encoded =
+        if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055 };
     (encoded * 255.0).round() as u8
 }
 
@@ -246,15 +227,9 @@ mod tests {
     fn text_leaves_ink_inside_its_box() {
         let mut picture = Picture::filled(100, 40, [0; 3]);
         picture.text(5, 5, "Sun", [255; 3]);
-        let inked: Vec<_> = (0..4000)
-            .filter(|index| picture.pixels[*index] != [0; 3])
-            .collect();
+        let inked: Vec<_> = (0..4000).filter(|index| picture.pixels[*index] != [0; 3]).collect();
         assert!(inked.len() > 30);
-        assert!(
-            inked
-                .iter()
-                .all(|index| (5..5 + Picture::text_width("Sun")).contains(&(index % 100)))
-        );
+        assert!(inked.iter().all(|index| (5..5 + Picture::text_width("Sun")).contains(&(index % 100))));
         picture.text(95, 35, "cut off", [255; 3]);
     }
 
@@ -270,32 +245,20 @@ mod tests {
         let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
         reader.next_frame(&mut bytes).unwrap();
         assert_eq!(bytes, picture.pixels.as_flattened());
-        assert_eq!(
-            picture.height,
-            5 + 2 * LINE_PIXELS,
-            "narrow pictures wrap their title"
-        );
+        assert_eq!(picture.height, 5 + 2 * LINE_PIXELS, "narrow pictures wrap their title");
     }
 
     #[test]
     fn joined_pictures_keep_their_pixels() {
         let (one, two) = (Picture::filled(3, 2, [9; 3]), Picture::filled(4, 5, [7; 3]));
         let beside = Picture::beside(&[one.clone(), two.clone()]);
-        assert_eq!(
-            (beside.width, beside.height, beside.pixels[3], beside.pixels[0]),
-            (7, 5, [7; 3], [9; 3])
-        );
+        assert_eq!((beside.width, beside.height, beside.pixels[3], beside.pixels[0]), (7, 5, [7; 3], [9; 3]));
         assert_eq!(Picture::stacked(&[one, two]).height, 7);
     }
 
     #[test]
     fn unwritable_files_are_typed_errors() {
-        let error = Picture::filled(1, 1, [0; 3])
-            .write_png(Path::new("/nowhere/picture.png"))
-            .unwrap_err();
-        assert!(
-            error.to_string().starts_with("cannot write /nowhere/picture.png"),
-            "{error}"
-        );
+        let error = Picture::filled(1, 1, [0; 3]).write_png(Path::new("/nowhere/picture.png")).unwrap_err();
+        assert!(error.to_string().starts_with("cannot write /nowhere/picture.png"), "{error}");
     }
 }

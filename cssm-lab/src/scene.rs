@@ -89,10 +89,7 @@ impl Scene {
 
     /// Number of triangles, instances counted.
     pub fn triangles(&self) -> usize {
-        self.instances
-            .iter()
-            .map(|instance| self.meshes[instance.mesh].triangles())
-            .sum()
+        self.instances.iter().map(|instance| self.meshes[instance.mesh].triangles()).sum()
     }
 
     /// World box around everything; `None` for a scene without triangles.
@@ -105,27 +102,17 @@ impl Scene {
             };
             for corner in 0..8_u32 {
                 let pick = |bit: u32, axis: usize| {
-                    if corner >> bit & 1 == 0 {
-                        min[axis]
-                    } else {
-                        max[axis]
-                    }
+                    if corner >> bit & 1 == 0 { min[axis] } else { max[axis] }
                 };
                 let point = instance.world_from_object.transform_point3(DVec3::new(
                     pick(0, 0),
                     pick(1, 1),
                     pick(2, 2),
                 ));
-                bounds = Some(bounds.map_or(
-                    BoundingBox {
-                        min: point,
-                        max: point,
-                    },
-                    |b| BoundingBox {
-                        min: b.min.min(point),
-                        max: b.max.max(point),
-                    },
-                ));
+                bounds = Some(bounds.map_or(BoundingBox { min: point, max: point }, |b| BoundingBox {
+                    min: b.min.min(point),
+                    max: b.max.max(point),
+                }));
             }
         }
         bounds
@@ -141,16 +128,12 @@ impl Mesh {
     /// Object-space box; `None` for a mesh without vertices.
     pub fn bounds(&self) -> Option<([f64; 3], [f64; 3])> {
         let first = self.positions.first()?.map(f64::from);
-        Some(
-            self.positions
-                .iter()
-                .fold((first, first), |(mut min, mut max), position| {
-                    for axis in 0..3 {
-                        min[axis] = min[axis].min(f64::from(position[axis]));
-                        max[axis] = max[axis].max(f64::from(position[axis]));
-                    }
-                    (min, max)
-                }),
-        )
+        Some(self.positions.iter().fold((first, first), |(mut min, mut max), position| {
+            for axis in 0..3 {
+                min[axis] = min[axis].min(f64::from(position[axis]));
+                max[axis] = max[axis].max(f64::from(position[axis]));
+            }
+            (min, max)
+        }))
     }
 }

@@ -150,14 +150,7 @@ pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
         lattice,
     );
     let boundaries = Marks::boundaries(frame, lattice, judged.facets);
-    let seam = Seam::along(
-        &boundaries,
-        &true_edges,
-        &map_edges,
-        judged.footprints,
-        &verdicts,
-        lattice,
-    );
+    let seam = Seam::along(&boundaries, &true_edges, &map_edges, judged.footprints, &verdicts, lattice);
     (tally.score(true_edges.count(), displacement, seam), verdicts)
 }
 
@@ -239,21 +232,14 @@ impl Tally {
         self.shadowed += u64::from(!verdict.truth_lit);
         self.interior += u64::from(verdict.place == Place::Interior);
         if verdict.wrong() {
-            let split = if verdict.map_lit {
-                &mut self.leak
-            } else {
-                &mut self.acne
-            };
+            let split = if verdict.map_lit { &mut self.leak } else { &mut self.acne };
             split[verdict.place as usize] += 1;
         }
     }
 
     fn score(&self, true_edges: usize, edge_displacement: Displacement, seam: Option<Seam>) -> Score {
         let share = |count| statistics::share(count, self.facing);
-        let (leak, acne) = (
-            Split::of(&self.leak, self.facing),
-            Split::of(&self.acne, self.facing),
-        );
+        let (leak, acne) = (Split::of(&self.leak, self.facing), Split::of(&self.acne, self.facing));
         let interior = Place::Interior as usize;
         Score {
             visible_pixels: self.visible,

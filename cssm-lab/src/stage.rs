@@ -75,9 +75,7 @@ impl<'a> Stage<'a> {
             scene,
             view,
             light,
-            bounds: SceneBounds {
-                receivers: scene.bounds_world(),
-            },
+            bounds: SceneBounds { receivers: scene.bounds_world() },
             buffers: SceneBuffers::new(gpu, scene)?,
             surface: Surface::new(gpu, &view, &frame)?,
             frame,
@@ -116,14 +114,8 @@ impl<'a> Stage<'a> {
         let start = Instant::now();
         let generated = cssm_codegen::generate(case)?;
         let generate_milliseconds = start.elapsed().as_secs_f64() * 1e3;
-        let mut runner = CaseRunner::new(
-            self.gpu,
-            case,
-            &generated.table,
-            self.scene,
-            &self.buffers,
-            method,
-        )?;
+        let mut runner =
+            CaseRunner::new(self.gpu, case, &generated.table, self.scene, &self.buffers, method)?;
         let prepared = runner.prepare(&plan, &self.view)?;
         Ok(Attempt {
             stage: self,
@@ -181,14 +173,7 @@ impl Attempt<'_> {
     /// # Errors
     /// What the device says.
     pub fn outcome(&self) -> Result<Outcome, LabError> {
-        let Stage {
-            gpu,
-            view,
-            frame,
-            fine,
-            surface,
-            ..
-        } = self.stage;
+        let Stage { gpu, view, frame, fine, surface, .. } = self.stage;
         let visibility = self.runner.visibility(gpu, &self.prepared, surface)?;
         let assignment = Assignment::new(&self.plan, view, frame, self.case.filter);
         let (score, verdicts) = score(&Judged {
@@ -199,13 +184,7 @@ impl Attempt<'_> {
             fine: fine.as_ref(),
         });
         let footprint = assignment.frame_footprint(frame);
-        Ok(Outcome {
-            visibility,
-            assignment,
-            footprint,
-            score,
-            verdicts,
-        })
+        Ok(Outcome { visibility, assignment, footprint, score, verdicts })
     }
 
     /// Captures and resolves once, timed.
@@ -213,9 +192,7 @@ impl Attempt<'_> {
     /// # Errors
     /// What the device says.
     pub fn time(&self, stopwatch: &Stopwatch) -> Result<PassTimes, LabError> {
-        Ok(self
-            .runner
-            .time(self.stage.gpu, &self.prepared, &self.stage.surface, stopwatch)?)
+        Ok(self.runner.time(self.stage.gpu, &self.prepared, &self.stage.surface, stopwatch)?)
     }
 
     /// Depths of the map after the last capture.

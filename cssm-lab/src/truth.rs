@@ -55,22 +55,18 @@ impl Frame {
         let (width, height) = (view.size_pixels.0 as usize, view.size_pixels.1 as usize);
         let mut pixels = vec![None; width * height];
         let Light::Directional { toward_light_world } = *light;
-        pixels
-            .par_chunks_mut(width * ROWS_PER_TASK)
-            .enumerate()
-            .for_each_init(Vec::new, |stack, (chunk, pixels)| {
+        pixels.par_chunks_mut(width * ROWS_PER_TASK).enumerate().for_each_init(
+            Vec::new,
+            |stack, (chunk, pixels)| {
                 for (index, pixel) in pixels.iter_mut().enumerate() {
                     let (x, y) = (index % width, chunk * ROWS_PER_TASK + index / width);
                     let ray = view.ray_world(x as f64 + 0.5, y as f64 + 0.5);
                     *pixel = trace_pixel(tracer, view, toward_light_world, ray, stack);
                 }
                 progress((pixels.len() / width) as u64);
-            });
-        Self {
-            width,
-            height,
-            pixels,
-        }
+            },
+        );
+        Self { width, height, pixels }
     }
 
     /// The pixel at a place.
@@ -80,10 +76,7 @@ impl Frame {
 
     /// Pixels that see a surface, with their index.
     pub fn visible(&self) -> impl Iterator<Item = (usize, &Visible)> {
-        self.pixels
-            .iter()
-            .enumerate()
-            .filter_map(|(index, pixel)| Some((index, pixel.as_ref()?)))
+        self.pixels.iter().enumerate().filter_map(|(index, pixel)| Some((index, pixel.as_ref()?)))
     }
 }
 

@@ -73,7 +73,10 @@ impl Fault {
 
 fn read_one(path: &Path) -> Result<Input, Fault> {
     let text = fs::read_to_string(path).map_err(|error| {
-        Fault::Unreadable(format!("cannot read {}: {error}; give the path of a declaration file", path.display()))
+        Fault::Unreadable(format!(
+            "cannot read {}: {error}; give the path of a declaration file",
+            path.display()
+        ))
     })?;
     let cases = dsl::parse_file(&path.display().to_string(), &text).map_err(Fault::Declaration)?;
     Ok(Input { path: path.to_owned(), cases })

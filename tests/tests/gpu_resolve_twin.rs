@@ -17,12 +17,16 @@ use cssm_tests::gpu::{TestDevice, exclusive, images};
 const TEXEL_TOLERANCE: f64 = 5e-3;
 /// Accuracy of the compared depth.
 const DEPTH_TOLERANCE: f64 = 2e-6;
-/// Rounding of an 8-bit mask, and of blending weights that are off by [`TEXEL_TOLERANCE`].
-const MASK_TOLERANCE: f64 = 0.5 / 255.0 + 4.0 * TEXEL_TOLERANCE;
+/// Accuracy of positions from f32 depth and rays, relative to the distance.
+const POSITION_TOLERANCE: f64 = 5e-7;
+/// Rounding of an 8-bit mask and of the 8-bit weights that filtering hardware blends with.
+const MASK_TOLERANCE: f64 = 0.5 / 255.0 + 1.0 / 256.0;
 /// Side of the image in pixels.
 const SIZE: (u32, u32) = (192, 108);
 
 fn case(technique: Word, filter: Filter, bias: Bias, depth: MaskDepth, normal: MaskNormal) -> LightCase {
+    // Only a bias that reads normals may be given a texture of them.
+    let normal = if reads_normal(bias) { normal } else { MaskNormal::Reconstructed };
     LightCase::builder("Resolved")
         .technique(technique)
         .map_size_texels(512, 512)
@@ -33,6 +37,10 @@ fn case(technique: Word, filter: Filter, bias: Bias, depth: MaskDepth, normal: M
         .prefix("dusk")
         .build()
         .unwrap()
+}
+
+fn reads_normal(bias: Bias) -> bool {
+    matches!(bias, Bias::ReceiverPlane | Bias::Slope { .. })
 }
 
 /// Smallest and largest visibility that the twin finds within the promised accuracy of a point.
@@ -46,7 +54,8 @@ fn bracket(case: &LightCase, plan: &ShadowPlan, map: &DepthMap, point: DVec3, no
     let across = normal.any_orthonormal_vector();
     let texel_metres = facet.texel_metres_per_w * Gradients::at(&facet.rows, point).w;
     let tilt = 1.0 / normal.dot(light).abs().max(0.01);
-    let along = light * (DEPTH_TOLERANCE * Gradients::at(&facet.rows, point).w / facet.depth_per_metre);
+    let depth_metres = DEPTH_TOLERANCE * Gradients::at(&facet.rows, point).w / facet.depth_per_metre;
+    let along = light * (depth_metres + POSITION_TOLERANCE * point.length() * tilt);
     for (one, two) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.0, 0.0)] {
         for depth in [-1.0, 1.0] {
             let step = (across * one + normal.cross(across) * two) * (TEXEL_TOLERANCE * texel_metres * tilt);
@@ -82,14 +91,11 @@ fn draw(
     let frame = service.prepare(&plan, view, &casters).unwrap();
 
     // The engine's depth and normals.
-    let depth = match table
-        .groups
-        .iter()
-        .flat_map(|group| group.bindings.iter())
-        .any(|binding| binding.kind == cssm_core::table::BindingKind::SceneDepth)
-    {
-        true => images::depth_texture(gpu, SIZE, &visible.reversed_depths(view)),
-        false => images::float_texture(gpu, SIZE, &visible.linear_depths()),
+    let depth = match case.resolve[0] {
+        Resolve::Mask { depth: MaskDepth::ReversedZ, .. } => {
+            images::depth_texture(gpu, SIZE, &visible.reversed_depths(view))
+        }
+        _ => images::float_texture(gpu, SIZE, &visible.linear_depths()),
     };
     let normals = images::vector_texture(gpu, SIZE, &visible.normals()).create_view(&Default::default());
     let positions: Vec<f32> = (visible.rays.iter().zip(&visible.hits))
@@ -106,10 +112,7 @@ fn draw(
     service.capture(&mut encoder, &frame, None).unwrap();
     let inputs = MaskInputs { depth: &depth.create_view(&Default::default()), normal: Some(&normals) };
     service.mask(&mut encoder, &frame, &inputs, &mask.create_view(&Default::default()), None).unwrap();
-    let arguments = match case.bias {
-        Bias::ReceiverPlane | Bias::Slope { .. } => "position.xyz, normal",
-        _ => "position.xyz",
-    };
+    let arguments = if reads_normal(case.bias) { "position.xyz, normal" } else { "position.xyz" };
     let material = Material::new(gpu, &table, &service, arguments);
     let target = lit.create_view(&Default::default());
     material.draw(gpu, &mut encoder, &frame, &positions, &normals, &target);
@@ -183,8 +186,7 @@ fn every_filter_and_bias_resolves_as_the_twin_does() {
                 let drawn = draw(&gpu, &yard, &case, view, turn, visible);
                 score.add(&case, &drawn, visible, |_| true);
                 let what = format!("{} {filter:?} {bias:?}: {score:?}", case.technique.name);
-                println!("{what}");
-                assert!(score.judged > 10_000 && score.shadowed > 300, "{what}");
+                assert!(score.judged > 10_000 && score.shadowed > 100, "{what}");
                 assert!(score.mask_wrong * 2000 <= score.judged, "{what}");
                 assert!(score.material_wrong * 2000 <= score.judged, "{what}");
             }
@@ -204,7 +206,6 @@ fn reconstructed_normals_resolve_as_true_ones_do() {
             let drawn = draw(&gpu, &yard, &case, view, number, &visible);
             let mut score = Score::default();
             score.add(&case, &drawn, &visible, |pixel| visible.on_one_plane(pixel, 2));
-            println!("{depth:?} view {number}: {score:?}");
             assert!(score.judged > 8000 && score.shadowed > 100, "{score:?}");
             assert!(score.mask_wrong * 1000 <= score.judged, "{depth:?} view {number}: {score:?}");
         }
@@ -262,7 +263,6 @@ fn culling_removes_nothing_visible() {
             let mut score = Score::default();
             score.add(&case, &drawn, &visible, |_| true);
             let what = format!("{} view {number}: {score:?}", case.technique.name);
-            println!("{what}");
             // Texels on caster edges may differ between rasterisers.
             assert!(score.mask_wrong * 500 <= score.judged, "{what}");
         }

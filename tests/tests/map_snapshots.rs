@@ -24,8 +24,9 @@ struct DepthPictures;
 impl Comparator for DepthPictures {
     fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
         match (reference.contents(), test.contents()) {
-            (SnapshotContents::Binary(reference), SnapshotContents::Binary(test)) => {
-                differing_share(reference, test).is_some_and(|share| share <= EDGE_SHARE)
+            (SnapshotContents::Binary(Some(reference)), SnapshotContents::Binary(Some(test))) => {
+                differing_share(reference.as_slice(), test.as_slice())
+                    .is_some_and(|share| share <= EDGE_SHARE)
             }
             _ => false,
         }

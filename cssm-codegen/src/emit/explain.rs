@@ -44,11 +44,7 @@ fn head(case: &LightCase, table: &CaseTable, out: &mut Out) {
     for line in dsl::print(case).lines() {
         out.line(format!("  {line}"));
     }
-    let names: Vec<_> = case
-        .configurations
-        .iter()
-        .map(|configuration| configuration.name)
-        .collect();
+    let names: Vec<_> = case.configurations.iter().map(|configuration| configuration.name).collect();
     out.section("configurations");
     out.line(format!("  {}: {}", case.technique.name, names.join(", ")));
 }
@@ -59,20 +55,14 @@ fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
     let texels = u64::from(table.map_width) * u64::from(table.map_height);
     let mebibytes = (texels * u64::from(format.bytes_per_texel())) as f64 / f64::from(1 << 20);
     let (width, height) = (table.map_width, table.map_height);
-    out.line(format!(
-        "  map of {width} x {height} texels, {}, {mebibytes:.1} MiB",
-        format.name()
-    ));
+    out.line(format!("  map of {width} x {height} texels, {}, {mebibytes:.1} MiB", format.name()));
     let (sectors, bands, facets) = (table.sectors, table.bands, table.facets());
     out.line(format!("  tiles at most: {facets} = sectors {sectors} x bands {bands}"));
     out.line(format!("  gutter texels: {}", case.gutter_texels()));
     match case.technique.arguments.sizes("sizes") {
         Some(sizes) => {
             for (index, (width, height)) in sizes.iter().enumerate() {
-                out.line(format!(
-                    "  tile {index}: {width} x {height}, {} texels",
-                    width * height
-                ));
+                out.line(format!("  tile {index}: {width} x {height}, {} texels", width * height));
             }
         }
         None => {
@@ -86,18 +76,10 @@ fn passes(table: &CaseTable, out: &mut Out) {
     out.section("passes");
     for pass in table.passes.iter() {
         let names = |resources: &[Resource]| {
-            resources
-                .iter()
-                .map(|resource| resource.name())
-                .collect::<Vec<_>>()
-                .join(", ")
+            resources.iter().map(|resource| resource.name()).collect::<Vec<_>>().join(", ")
         };
-        let stages = pass
-            .fragment
-            .iter()
-            .fold(pass.vertex.to_string(), |stages, name| {
-                format!("{stages}, {name}")
-            });
+        let stages =
+            pass.fragment.iter().fold(pass.vertex.to_string(), |stages, name| format!("{stages}, {name}"));
         out.line(format!(
             "  {:<16}{stages}: reads {}; writes {}",
             pass.shader.name(),
@@ -112,16 +94,9 @@ fn bindings(table: &CaseTable, out: &mut Out) {
     for group in table.groups.iter() {
         for binding in group.bindings.iter() {
             let mut ty = binding_type(binding.kind).to_owned();
-            if let BindingKind::Uniform {
-                record,
-                dynamic_offset,
-            } = binding.kind
-            {
+            if let BindingKind::Uniform { record, dynamic_offset } = binding.kind {
                 let name = table.record(record).map_or("", |record| &record.name);
-                ty = format!(
-                    "uniform {name}{}",
-                    if dynamic_offset { ", dynamic offset" } else { "" }
-                );
+                ty = format!("uniform {name}{}", if dynamic_offset { ", dynamic offset" } else { "" });
             }
             out.line(format!(
                 "  {:<16}group {} binding {}  {}: {ty}. {}",
@@ -180,9 +155,7 @@ fn fetches(case: &LightCase, table: &CaseTable, out: &mut Out) {
     let map = format!("map {} ({how})", table.fetches_per_pixel);
     for interface in &case.resolve {
         match *interface {
-            Resolve::Function { .. } => {
-                out.line(format!("  function        {map}"))
-            }
+            Resolve::Function { .. } => out.line(format!("  function        {map}")),
             Resolve::Mask { depth, normal } => {
                 let depth_name = match depth {
                     MaskDepth::ReversedZ => "reversed-z depth",
@@ -193,15 +166,8 @@ fn fetches(case: &LightCase, table: &CaseTable, out: &mut Out) {
                     (true, MaskNormal::Reconstructed) => (1 + RECONSTRUCTION_FETCHES, 0),
                     (true, MaskNormal::Texture) => (1, 1),
                 };
-                let normals = if normals > 0 {
-                    format!(", normal {normals}")
-                } else {
-                    String::new()
-                };
-                let map = table.fetches_per_pixel;
-                out.line(format!(
-                    "  mask            map {map}, {depth_name} {depths}{normals}"
-                ));
+                let normals = if normals > 0 { format!(", normal {normals}") } else { String::new() };
+                out.line(format!("  mask            {map}, {depth_name} {depths}{normals}"));
             }
         }
     }
@@ -217,10 +183,6 @@ fn modules(table: &CaseTable, out: &mut Out) {
             0 => "no entry point, no SPIR-V".to_owned(),
             words => format!("{words} SPIR-V words"),
         };
-        out.line(format!(
-            "  {:<16}{} WGSL lines, {words}",
-            shader.kind.name(),
-            shader.wgsl.lines().count()
-        ));
+        out.line(format!("  {:<16}{} WGSL lines, {words}", shader.kind.name(), shader.wgsl.lines().count()));
     }
 }

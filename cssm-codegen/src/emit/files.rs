@@ -53,10 +53,7 @@ impl Generated {
             match target {
                 Target::Wgsl => {
                     for shader in table.shaders.iter() {
-                        push(
-                            shader_name(table, shader, "wgsl"),
-                            shader.wgsl.as_bytes().to_vec(),
-                        );
+                        push(shader_name(table, shader, "wgsl"), shader.wgsl.as_bytes().to_vec());
                     }
                 }
                 Target::Spirv => {

@@ -30,29 +30,13 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
             columns: case.map.columns,
             gutter: case.gutter_texels(),
         },
-        facets: JsonFacets {
-            sectors: table.sectors,
-            bands: table.bands,
-            count: table.facets(),
-        },
+        facets: JsonFacets { sectors: table.sectors, bands: table.bands, count: table.facets() },
         fetches_per_pixel: table.fetches_per_pixel,
         constants: table.constants.iter().map(JsonConstant::of).collect(),
-        records: table
-            .records
-            .iter()
-            .map(|record| JsonRecord::of(record, table))
-            .collect(),
-        groups: table
-            .groups
-            .iter()
-            .map(|group| JsonGroup::of(group, table))
-            .collect(),
+        records: table.records.iter().map(|record| JsonRecord::of(record, table)).collect(),
+        groups: table.groups.iter().map(|group| JsonGroup::of(group, table)).collect(),
         passes: table.passes.iter().map(JsonPass::of).collect(),
-        shaders: table
-            .shaders
-            .iter()
-            .map(|shader| JsonShader::of(shader, table))
-            .collect(),
+        shaders: table.shaders.iter().map(|shader| JsonShader::of(shader, table)).collect(),
     };
     // Strings and numbers always serialise.
     serde_json::to_string_pretty(&json).unwrap_or_default() + "\n"
@@ -120,12 +104,7 @@ impl<'a> JsonConstant<'a> {
             ConstantValue::F32(value) => ("f32", JsonValue::F32(value)),
             ConstantValue::Vec2(value) => ("vec2<f32>", JsonValue::Vec2(value)),
         };
-        Self {
-            name: &constant.name,
-            summary: constant.kind.summary(),
-            ty,
-            value,
-        }
+        Self { name: &constant.name, summary: constant.kind.summary(), ty, value }
     }
 }
 
@@ -152,26 +131,14 @@ struct JsonField<'a> {
 
 impl<'a> JsonRecord<'a> {
     fn of(record: &'a Record, table: &'a CaseTable) -> Self {
-        let fields = record
-            .fields
-            .iter()
-            .map(|field| JsonField::of(field, table))
-            .collect();
-        Self {
-            name: &record.name,
-            summary: record.kind.summary(),
-            size_bytes: record.size_bytes,
-            fields,
-        }
+        let fields = record.fields.iter().map(|field| JsonField::of(field, table)).collect();
+        Self { name: &record.name, summary: record.kind.summary(), size_bytes: record.size_bytes, fields }
     }
 }
 
 impl<'a> JsonField<'a> {
     fn of(field: &'a RecordField, table: &'a CaseTable) -> Self {
-        let facet = table
-            .records
-            .iter()
-            .find(|record| record.kind == cssm_core::table::RecordKind::Facet);
+        let facet = table.records.iter().find(|record| record.kind == cssm_core::table::RecordKind::Facet);
         Self {
             name: &field.name,
             summary: field.meaning.summary(),
@@ -214,17 +181,8 @@ impl<'a> JsonGroup<'a> {
             GroupContent::MaskInput => "mask_input",
             GroupContent::Shadow => "shadow",
         };
-        let bindings = group
-            .bindings
-            .iter()
-            .map(|binding| JsonBinding::of(binding, table))
-            .collect();
-        Self {
-            shader: group.shader.name(),
-            content,
-            group: group.group,
-            bindings,
-        }
+        let bindings = group.bindings.iter().map(|binding| JsonBinding::of(binding, table)).collect();
+        Self { shader: group.shader.name(), content, group: group.group, bindings }
     }
 }
 
@@ -232,11 +190,7 @@ impl<'a> JsonBinding<'a> {
     fn of(binding: &'a Binding, table: &'a CaseTable) -> Self {
         let mut ty = binding_type(binding.kind);
         let mut offset = None;
-        if let BindingKind::Uniform {
-            record,
-            dynamic_offset,
-        } = binding.kind
-        {
+        if let BindingKind::Uniform { record, dynamic_offset } = binding.kind {
             ty = table.record(record).map_or(ty, |record| &record.name);
             offset = Some(dynamic_offset);
         }
@@ -249,13 +203,7 @@ impl<'a> JsonBinding<'a> {
             BindingKind::ComparisonSampler => "comparison_sampler",
             BindingKind::GatherSampler => "gather_sampler",
         };
-        Self {
-            binding: binding.binding,
-            name: &binding.name,
-            kind,
-            ty,
-            dynamic_offset: offset,
-        }
+        Self { binding: binding.binding, name: &binding.name, kind, ty, dynamic_offset: offset }
     }
 }
 

@@ -21,9 +21,7 @@ pub(crate) const DEFAULT_CRATE_PATH: &str = "::cssm";
 pub(crate) fn crate_path(path: &str) -> Result<syn::Path, GenerateError> {
     let parsed: Result<syn::Path, _> = syn::parse_str(path);
     let plain = |path: &syn::Path| path.segments.iter().all(|segment| segment.arguments.is_empty());
-    parsed.ok().filter(plain).ok_or_else(|| GenerateError::CratePath {
-        path: path.to_owned(),
-    })
+    parsed.ok().filter(plain).ok_or_else(|| GenerateError::CratePath { path: path.to_owned() })
 }
 
 /// The module as tokens.
@@ -55,15 +53,10 @@ pub(crate) fn text(
     table: &CaseTable,
     tokens: TokenStream,
 ) -> Result<String, GenerateError> {
-    let file = syn::parse2(tokens).map_err(|error| GenerateError::Rust {
-        case: case.name.clone(),
-        message: error.to_string(),
-    })?;
+    let file = syn::parse2(tokens)
+        .map_err(|error| GenerateError::Rust { case: case.name.clone(), message: error.to_string() })?;
     let fingerprint = table.fingerprint;
-    let head = format!(
-        "// Generated from light case `{}`, {fingerprint:016x}. Do not edit.\n\n",
-        case.name
-    );
+    let head = format!("// Generated from light case `{}`, {fingerprint:016x}. Do not edit.\n\n", case.name);
     Ok(head + &prettyplease::unparse(&file))
 }
 
@@ -78,11 +71,7 @@ pub(crate) fn module_name(prefix: &str) -> Ident {
 
 /// A doc attribute; prettyplease prints it as a doc comment.
 fn doc(text: &str) -> TokenStream {
-    let text = if text.is_empty() {
-        String::new()
-    } else {
-        format!(" {text}")
-    };
+    let text = if text.is_empty() { String::new() } else { format!(" {text}") };
     quote!(#[doc = #text])
 }
 
@@ -129,17 +118,11 @@ fn shader_constants(shader: &Shader) -> TokenStream {
 }
 
 fn wgsl_name(shader: &Shader) -> Ident {
-    Ident::new(
-        &format!("{}_WGSL", shader.kind.name().to_ascii_uppercase()),
-        Span::call_site(),
-    )
+    Ident::new(&format!("{}_WGSL", shader.kind.name().to_ascii_uppercase()), Span::call_site())
 }
 
 fn spirv_name(shader: &Shader) -> Ident {
-    Ident::new(
-        &format!("{}_SPIRV", shader.kind.name().to_ascii_uppercase()),
-        Span::call_site(),
-    )
+    Ident::new(&format!("{}_SPIRV", shader.kind.name().to_ascii_uppercase()), Span::call_site())
 }
 
 /// A raw string literal with as many `#` as the text needs.

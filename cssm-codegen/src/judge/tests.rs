@@ -37,7 +37,11 @@ fn a_capability_beyond_the_core_is_caught() {
 
 #[test]
 fn something_unused_is_caught() {
-    for unused in ["fn unused() -> f32 { return 1.0; }", "struct Unused { a: f32 }", "@group(3) @binding(0) var unused: sampler;"] {
+    for unused in [
+        "fn unused() -> f32 { return 1.0; }",
+        "struct Unused { a: f32 }",
+        "@group(3) @binding(0) var unused: sampler;",
+    ] {
         let wrong = verdict("/// The view.\n@group", &format!("{unused}\n/// The view.\n@group"));
         assert!(matches!(wrong, Err(JudgeError::Unused(_))), "{unused}: {wrong:?}");
     }
@@ -57,7 +61,10 @@ fn a_renamed_entry_point_is_caught() {
 
 #[test]
 fn a_changed_record_is_caught() {
-    let swapped = verdict("row_x: vec4<f32>,\n    /// Clip y of the tile, upwards.\n    row_y", "row_y: vec4<f32>,\n    /// Clip y of the tile, upwards.\n    row_x");
+    let swapped = verdict(
+        "row_x: vec4<f32>,\n    /// Clip y of the tile, upwards.\n    row_y",
+        "row_y: vec4<f32>,\n    /// Clip y of the tile, upwards.\n    row_x",
+    );
     assert!(matches!(swapped, Err(JudgeError::Table(_))), "{swapped:?}");
     let grown = verdict("facets: array<SunFacet, 32>", "facets: array<SunFacet, 33>");
     assert!(matches!(grown, Err(JudgeError::Table(_))), "{grown:?}");

@@ -31,9 +31,10 @@ fn cases() -> Vec<LightCase> {
                 true => &[MaskNormal::Reconstructed, MaskNormal::Texture][..],
                 false => &[MaskNormal::Reconstructed],
             };
-            for (normal, depth) in normals.iter().flat_map(|normal| {
-                [MaskDepth::ReversedZ, MaskDepth::Linear].map(|depth| (*normal, depth))
-            }) {
+            for (normal, depth) in normals
+                .iter()
+                .flat_map(|normal| [MaskDepth::ReversedZ, MaskDepth::Linear].map(|depth| (*normal, depth)))
+            {
                 let interfaces = [Resolve::Mask { depth, normal }, Resolve::Function { group: 3 }];
                 let case = || LightCase::builder("Reference").bias(bias).filter(filter).resolve(&interfaces);
                 let bounded = || case().shadow_distance_metres(1000.0);
@@ -212,7 +213,12 @@ fn every_declaration_is_documented_and_lines_are_short() {
             assert!(line.chars().count() <= WIDTH && line == line.trim_end(), "{}: {line}", file.name);
         }
         for declaration in wgsl::declarations(file.source) {
-            assert!(declaration.text.starts_with("///"), "`{}` in {} has no comment", declaration.name, file.name);
+            assert!(
+                declaration.text.starts_with("///"),
+                "`{}` in {} has no comment",
+                declaration.name,
+                file.name
+            );
         }
     }
 }

@@ -3,11 +3,11 @@
 use std::borrow::Cow;
 
 use super::{
-    BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantKind, ConstantValue, FieldType, GroupContent,
-    Meaning, Pass, Record, RecordField, RecordKind, Resource, ShaderKind,
+    BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantKind, ConstantValue, FieldType,
+    GroupContent, Meaning, Pass, Record, RecordField, RecordKind, Resource, ShaderKind,
 };
-use crate::facet::FacetShape;
 use crate::case::{Bias, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
+use crate::facet::FacetShape;
 
 impl CaseTable {
     /// Records, bindings and passes of a case; shaders are left empty.

@@ -21,18 +21,11 @@ const COLUMNS: [&str; 12] = [
 pub(super) fn markdown(runs: &[Report]) -> String {
     let rows: Vec<[String; 12]> = runs.iter().map(row).collect();
     let widths: Vec<usize> = (0..COLUMNS.len())
-        .map(|column| {
-            rows.iter()
-                .map(|row| row[column].len())
-                .fold(COLUMNS[column].len(), usize::max)
-        })
+        .map(|column| rows.iter().map(|row| row[column].len()).fold(COLUMNS[column].len(), usize::max))
         .collect();
     let line = |cells: &[String]| {
-        let cells: Vec<_> = cells
-            .iter()
-            .zip(&widths)
-            .map(|(cell, width)| format!("{cell:<width$}"))
-            .collect();
+        let cells: Vec<_> =
+            cells.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
         format!("| {} |\n", cells.join(" | "))
     };
     let mut text = line(&COLUMNS.map(str::to_owned));
@@ -41,10 +34,7 @@ pub(super) fn markdown(runs: &[Report]) -> String {
         text += &line(row);
     }
     if let Some(first) = runs.first() {
-        text += &format!(
-            "\nTimes: median [10 %, 90 %] of interleaved runs on {}",
-            first.adapter
-        );
+        text += &format!("\nTimes: median [10 %, 90 %] of interleaved runs on {}", first.adapter);
         if let Some(time) = first.time {
             text += &format!(", {} runs, {}", time.runs, time.method);
         }
@@ -56,9 +46,7 @@ pub(super) fn markdown(runs: &[Report]) -> String {
 fn row(run: &Report) -> [String; 12] {
     let displacement = &run.score.edge_displacement.true_to_map;
     let time = |pick: fn(&crate::timing::Timing) -> crate::timing::Interval| {
-        run.time
-            .as_ref()
-            .map_or_else(|| "-".to_owned(), |time| pick(time).to_string())
+        run.time.as_ref().map_or_else(|| "-".to_owned(), |time| pick(time).to_string())
     };
     [
         run.scene.clone(),
@@ -68,10 +56,7 @@ fn row(run: &Report) -> [String; 12] {
         format!("{:.3}", 100.0 * run.score.leak.total),
         format!("{:.3}", 100.0 * run.score.acne.total),
         run.score.interior_wrong_pixels.to_string(),
-        format!(
-            "{:.2} / {:.2}",
-            displacement.pixels.p95, displacement.footprints.p95
-        ),
+        format!("{:.2} / {:.2}", displacement.pixels.p95, displacement.footprints.p95),
         time(|time| time.capture),
         time(|time| time.resolve),
         run.draws.to_string(),

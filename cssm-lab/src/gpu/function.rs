@@ -27,22 +27,13 @@ impl FunctionPipeline {
         table: &CaseTable,
         service: &ShadowService,
     ) -> Result<Self, GpuError> {
-        let not_declared = || GpuError::NotDeclared {
-            case: case.name.clone(),
-            method: "function",
-        };
+        let not_declared = || GpuError::NotDeclared { case: case.name.clone(), method: "function" };
         let shader = table.shader(ShaderKind::Function).ok_or_else(not_declared)?;
-        let group = table
-            .group(ShaderKind::Function, GroupContent::Shadow)
-            .ok_or_else(not_declared)?;
+        let group = table.group(ShaderKind::Function, GroupContent::Shadow).ok_or_else(not_declared)?;
         let shadow_layout = service.shadow_bind_group_layout().ok_or_else(not_declared)?;
         let shadow_group = group.group;
         let pixel_group = u32::from(shadow_group == 0);
-        let source = format!(
-            "{}\n{}",
-            shader.wgsl,
-            material(&case.prefix, pixel_group, reads_normal(case))
-        );
+        let source = format!("{}\n{}", shader.wgsl, material(&case.prefix, pixel_group, reads_normal(case)));
 
         gpu.checked("the lab's material", || {
             let device = &gpu.device;
@@ -83,12 +74,7 @@ impl FunctionPipeline {
                 multiview_mask: None,
                 cache: None,
             });
-            Self {
-                pipeline,
-                pixel_layout,
-                pixel_group,
-                shadow_group,
-            }
+            Self { pipeline, pixel_layout, pixel_group, shadow_group }
         })
     }
 
@@ -147,18 +133,12 @@ const fn reads_normal(case: &LightCase) -> bool {
 
 /// The method a case offers: the function if it declares one, else the mask.
 pub(super) fn offers_function(case: &LightCase) -> bool {
-    case.resolve
-        .iter()
-        .any(|resolve| matches!(resolve, case::Resolve::Function { .. }))
+    case.resolve.iter().any(|resolve| matches!(resolve, case::Resolve::Function { .. }))
 }
 
 /// Entry points that call the function of a prefix for every traced pixel.
 fn material(prefix: &str, group: u32, reads_normal: bool) -> String {
-    let normal = if reads_normal {
-        ", textureLoad(lab_material_normals, texel, 0).xyz"
-    } else {
-        ""
-    };
+    let normal = if reads_normal { ", textureLoad(lab_material_normals, texel, 0).xyz" } else { "" };
     format!(
         "
 @group({group}) @binding(0) var lab_material_positions: texture_2d<f32>;

@@ -45,10 +45,8 @@ impl SceneBuffers {
         gpu.checked("the scene's contents", || {
             let (mut vertex, mut index) = (0, 0);
             for mesh in &scene.meshes {
-                gpu.queue
-                    .write_buffer(&vertices, vertex, bytemuck::cast_slice(&mesh.positions));
-                gpu.queue
-                    .write_buffer(&indices, index, bytemuck::cast_slice(&mesh.indices));
+                gpu.queue.write_buffer(&vertices, vertex, bytemuck::cast_slice(&mesh.positions));
+                gpu.queue.write_buffer(&indices, index, bytemuck::cast_slice(&mesh.indices));
                 vertex += mesh.positions.len() as u64 * POSITION_BYTES;
                 index += mesh.indices.len() as u64 * INDEX_BYTES;
             }
@@ -83,10 +81,7 @@ impl SceneBuffers {
                         count: mesh.indices.len() as u32,
                         format: wgpu::IndexFormat::Uint32,
                     }),
-                    bounds_object: BoundingBox {
-                        min: DVec3::from_array(min),
-                        max: DVec3::from_array(max),
-                    },
+                    bounds_object: BoundingBox { min: DVec3::from_array(min), max: DVec3::from_array(max) },
                 })?),
             };
             handles.push(handle);
@@ -95,10 +90,7 @@ impl SceneBuffers {
         }
         let casters = scene.instances.iter().filter_map(|instance| {
             let mesh = handles[instance.mesh]?;
-            Some(CasterInstance {
-                mesh,
-                world_from_object: instance.world_from_object,
-            })
+            Some(CasterInstance { mesh, world_from_object: instance.world_from_object })
         });
         Ok(casters.collect())
     }

@@ -24,11 +24,7 @@ pub enum ResolveMethod {
 impl ResolveMethod {
     /// The function where the case declares one, else the mask.
     pub fn of(case: &LightCase) -> Self {
-        if offers_function(case) {
-            Self::Function
-        } else {
-            Self::Mask
-        }
+        if offers_function(case) { Self::Function } else { Self::Mask }
     }
 }
 
@@ -59,10 +55,7 @@ impl CaseRunner {
         buffers: &SceneBuffers,
         method: ResolveMethod,
     ) -> Result<Self, GpuError> {
-        let options = Options {
-            mask_format: VISIBILITY_FORMAT,
-            ..Options::default()
-        };
+        let options = Options { mask_format: VISIBILITY_FORMAT, ..Options::default() };
         let mut service = ShadowService::new(&gpu.device, &gpu.queue, table, &options)?;
         let casters = buffers.add_to(&mut service, scene)?;
         let resolver = match method {
@@ -72,18 +65,11 @@ impl CaseRunner {
                     Resolve::Mask { depth, .. } => Some(*depth),
                     Resolve::Function { .. } => None,
                 });
-                let not_declared = || GpuError::NotDeclared {
-                    case: case.name.clone(),
-                    method: "mask",
-                };
+                let not_declared = || GpuError::NotDeclared { case: case.name.clone(), method: "mask" };
                 Resolver::Mask(depth.ok_or_else(not_declared)?)
             }
         };
-        Ok(Self {
-            service,
-            casters,
-            resolver,
-        })
+        Ok(Self { service, casters, resolver })
     }
 
     /// Culls and uploads a frame.
@@ -106,17 +92,12 @@ impl CaseRunner {
     ) -> Result<Vec<f32>, GpuError> {
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
         let target = gpu.texture(surface.size, VISIBILITY_FORMAT, usage)?;
-        let mut encoder = gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         self.service.capture(&mut encoder, frame, None)?;
         self.resolve(gpu, &mut encoder, frame, surface, &whole(&target), None)?;
         gpu.checked("a frame", || gpu.queue.submit([encoder.finish()]))?;
         let bytes = read_back::texture_bytes(&gpu.device, &gpu.queue, &target)?;
-        Ok(bytes
-            .chunks_exact(4)
-            .map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]))
-            .collect())
+        Ok(bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect())
     }
 
     /// Captures and resolves a frame once, timed.
@@ -130,11 +111,7 @@ impl CaseRunner {
         surface: &Surface,
         stopwatch: &Stopwatch,
     ) -> Result<PassTimes, GpuError> {
-        let target = gpu.texture(
-            surface.size,
-            VISIBILITY_FORMAT,
-            wgpu::TextureUsages::RENDER_ATTACHMENT,
-        )?;
+        let target = gpu.texture(surface.size, VISIBILITY_FORMAT, wgpu::TextureUsages::RENDER_ATTACHMENT)?;
         let target = whole(&target);
         stopwatch.time(
             gpu,
@@ -170,10 +147,7 @@ impl CaseRunner {
                     MaskDepth::ReversedZ => &surface.reversed_z,
                     MaskDepth::Linear => &surface.linear_depths,
                 };
-                let inputs = MaskInputs {
-                    depth,
-                    normal: Some(&surface.normals),
-                };
+                let inputs = MaskInputs { depth, normal: Some(&surface.normals) };
                 self.service.mask(encoder, frame, &inputs, target, timestamps)?;
             }
         }

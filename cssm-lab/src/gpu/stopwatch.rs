@@ -67,11 +67,7 @@ impl Stopwatch {
 
     /// What times are taken by, for reports.
     pub const fn method(&self) -> &'static str {
-        if self.stamps.is_some() {
-            "device timestamps"
-        } else {
-            "wall clock around submit and wait"
-        }
+        if self.stamps.is_some() { "device timestamps" } else { "wall clock around submit and wait" }
     }
 
     /// Runs a capture and a resolve pass and times both.
@@ -81,10 +77,7 @@ impl Stopwatch {
         capture: impl FnOnce(&mut wgpu::CommandEncoder, Option<Writes<'_>>) -> Result<(), GpuError>,
         resolve: impl FnOnce(&mut wgpu::CommandEncoder, Option<Writes<'_>>) -> Result<(), GpuError>,
     ) -> Result<PassTimes, GpuError> {
-        let encoder = || {
-            gpu.device
-                .create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
-        };
+        let encoder = || gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let Some(stamps) = &self.stamps else {
             let mut first = encoder();
             capture(&mut first, None)?;
@@ -107,12 +100,7 @@ impl Stopwatch {
             gpu.queue.submit([both.finish()])
         })?;
         let bytes = read_back::mapped_bytes(&gpu.device, &stamps.readable)?;
-        let ticks: Vec<u64> = bytes
-            .as_chunks()
-            .0
-            .iter()
-            .map(|bytes| u64::from_le_bytes(*bytes))
-            .collect();
+        let ticks: Vec<u64> = bytes.as_chunks().0.iter().map(|bytes| u64::from_le_bytes(*bytes)).collect();
         let between = |start: usize| {
             let ticks = ticks
                 .get(start + 1)
@@ -120,10 +108,7 @@ impl Stopwatch {
                 .map_or(0, |(end, start)| end.saturating_sub(*start));
             ticks as f64 * stamps.milliseconds_per_tick
         };
-        Ok(PassTimes {
-            capture_milliseconds: between(0),
-            resolve_milliseconds: between(2),
-        })
+        Ok(PassTimes { capture_milliseconds: between(0), resolve_milliseconds: between(2) })
     }
 }
 
@@ -143,8 +128,6 @@ impl Stamps {
 fn wall_milliseconds(gpu: &Gpu, encoder: wgpu::CommandEncoder) -> Result<f64, GpuError> {
     let start = Instant::now();
     gpu.checked("timed passes", || gpu.queue.submit([encoder.finish()]))?;
-    gpu.device
-        .poll(wgpu::PollType::wait_indefinitely())
-        .map_err(|_| ServiceError::DeviceLost)?;
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|_| ServiceError::DeviceLost)?;
     Ok(start.elapsed().as_secs_f64() * 1e3)
 }

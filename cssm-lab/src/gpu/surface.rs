@@ -33,11 +33,7 @@ impl Surface {
             frame.pixels.iter().flat_map(texel).collect()
         };
         let one = |value: &dyn Fn(&Visible) -> f64| -> Vec<f32> {
-            frame
-                .pixels
-                .iter()
-                .map(|pixel| pixel.as_ref().map_or(0.0, value) as f32)
-                .collect()
+            frame.pixels.iter().map(|pixel| pixel.as_ref().map_or(0.0, value) as f32).collect()
         };
         let positions = four(&|pixel| pixel.position.extend(1.0).to_array());
         let normals = four(&|pixel| pixel.normal.extend(0.0).to_array());

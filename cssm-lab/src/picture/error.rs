@@ -30,14 +30,7 @@ pub fn error_picture(width: usize, height: usize, verdicts: &[Option<Verdict>], 
             Some(_) => SHADOWED,
         })
         .collect();
-    Picture::stacked(&[
-        Picture {
-            width,
-            height,
-            pixels,
-        },
-        legend(width, score),
-    ])
+    Picture::stacked(&[Picture { width, height, pixels }, legend(width, score)])
 }
 
 fn legend(width: usize, score: &Score) -> Picture {
@@ -46,14 +39,8 @@ fn legend(width: usize, score: &Score) -> Picture {
     let entries = [
         (LIT, "lit".to_owned()),
         (SHADOWED, "shadowed".to_owned()),
-        (
-            LEAK,
-            format!("leak {}", percent(score.leak.total - score.leak.crease)),
-        ),
-        (
-            ACNE,
-            format!("acne {}", percent(score.acne.total - score.acne.crease)),
-        ),
+        (LEAK, format!("leak {}", percent(score.leak.total - score.leak.crease))),
+        (ACNE, format!("acne {}", percent(score.acne.total - score.acne.crease))),
         (CREASE, format!("crease {}", percent(crease))),
     ];
 
@@ -82,14 +69,7 @@ mod tests {
 
     #[test]
     fn five_colours_tell_five_things() {
-        let verdict = |place, truth_lit, map_lit, facing| {
-            Some(Verdict {
-                place,
-                truth_lit,
-                map_lit,
-                facing,
-            })
-        };
+        let verdict = |place, truth_lit, map_lit, facing| Some(Verdict { place, truth_lit, map_lit, facing });
         let verdicts = [
             verdict(Place::Interior, true, true, true),
             verdict(Place::Interior, false, false, true),
@@ -101,10 +81,7 @@ mod tests {
             None,
         ];
         let picture = error_picture(8, 1, &verdicts, &Score::default());
-        assert_eq!(
-            &picture.pixels[..8],
-            &[LIT, SHADOWED, LEAK, ACNE, CREASE, CREASE, SHADOWED, SKY]
-        );
+        assert_eq!(&picture.pixels[..8], &[LIT, SHADOWED, LEAK, ACNE, CREASE, CREASE, SHADOWED, SKY]);
         assert!(picture.height > LINE_PIXELS);
     }
 }

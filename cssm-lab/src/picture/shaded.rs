@@ -21,18 +21,12 @@ pub fn shaded_picture(scene: &Scene, frame: &Frame, visibility: &[f32]) -> Pictu
                 return [0, 1, 2]
                     .map(|c| srgb_byte(SKY_ZENITH[c] + (SKY_HORIZON[c] - SKY_ZENITH[c]) * height));
             };
-            let colour = scene
-                .instances
-                .get(pixel.instance as usize)
-                .map_or([0.5; 3], |instance| instance.colour);
+            let colour =
+                scene.instances.get(pixel.instance as usize).map_or([0.5; 3], |instance| instance.colour);
             let sun = pixel.cosine.max(0.0) * f64::from(visibility[index]);
             let sky = 0.75 + 0.25 * pixel.normal.y;
             [0, 1, 2].map(|c| srgb_byte(f64::from(colour[c]) * (SUNLIGHT[c] * sun + SKYLIGHT[c] * sky)))
         })
         .collect();
-    Picture {
-        width: frame.width,
-        height: frame.height,
-        pixels,
-    }
+    Picture { width: frame.width, height: frame.height, pixels }
 }

@@ -20,13 +20,8 @@ const PAVEMENT: [f32; 3] = [0.42, 0.41, 0.40];
 const GRASS: [f32; 3] = [0.22, 0.34, 0.14];
 const POLE: [f32; 3] = [0.12, 0.13, 0.15];
 const TREE: [f32; 3] = [0.15, 0.31, 0.12];
-const PLASTER: [[f32; 3]; 5] = [
-    [0.62, 0.52, 0.42],
-    [0.55, 0.38, 0.31],
-    [0.58, 0.58, 0.55],
-    [0.66, 0.60, 0.48],
-    [0.43, 0.47, 0.52],
-];
+const PLASTER: [[f32; 3]; 5] =
+    [[0.62, 0.52, 0.42], [0.55, 0.38, 0.31], [0.58, 0.58, 0.55], [0.66, 0.60, 0.48], [0.43, 0.47, 0.52]];
 
 /// (width, depth) in bays and height in storeys.
 const BUILDINGS: [(u32, u32, u32); 6] = [(5, 3, 5), (4, 4, 7), (6, 3, 3), (3, 3, 11), (5, 3, 6), (3, 2, 4)];
@@ -57,20 +52,10 @@ pub(super) fn scene() -> Scene {
     let mut instances = Vec::new();
     for block in 0..BLOCKS_PER_SIDE * BLOCKS_PER_SIDE {
         let along = |index: i32| f64::from(index - BLOCKS_PER_SIDE / 2) * BLOCK_METRES;
-        let centre = DVec3::new(
-            along(block % BLOCKS_PER_SIDE),
-            0.0,
-            along(block / BLOCKS_PER_SIDE),
-        );
+        let centre = DVec3::new(along(block % BLOCKS_PER_SIDE), 0.0, along(block / BLOCKS_PER_SIDE));
         put(&mut instances, ROAD, centre, 0.0, ASPHALT);
         let park = random.below(5) == 0;
-        put(
-            &mut instances,
-            SLAB,
-            centre,
-            0.0,
-            if park { GRASS } else { PAVEMENT },
-        );
+        put(&mut instances, SLAB, centre, 0.0, if park { GRASS } else { PAVEMENT });
         furnish_streets(&mut instances, centre, &mut random);
         if park {
             plant_park(&mut instances, centre, &mut random);
@@ -85,16 +70,11 @@ pub(super) fn scene() -> Scene {
         light_travels: light.into(),
     };
     let views = vec![
-        view([38.0, 14.0, 150.0], [30.0, 4.0, 60.0], [-0.55, -0.75, -0.3]),
+        view([42.0, 9.0, 128.0], [36.0, 5.5, 40.0], [-0.62, -0.55, 0.1]),
         view([-41.0, 1.9, 118.0], [-40.0, 2.5, 0.0], [0.7, -0.6, -0.15]),
-        view([210.0, 90.0, 260.0], [20.0, 0.0, 20.0], [0.4, -0.6, 0.7]),
+        view([210.0, 60.0, 230.0], [60.0, 0.0, 60.0], [-0.5, -0.6, -0.35]),
     ];
-    Scene {
-        name: "city".to_owned(),
-        meshes,
-        instances,
-        views,
-    }
+    Scene { name: "city".to_owned(), meshes, instances, views }
 }
 
 fn put(instances: &mut Vec<Instance>, mesh: usize, place: DVec3, turn_radians: f64, colour: [f32; 3]) {
@@ -113,10 +93,7 @@ fn put_scaled(
     let turn = DMat3::from_cols(DVec3::new(cos, 0.0, -sin), DVec3::Y, DVec3::new(sin, 0.0, cos)) * size;
     instances.push(Instance {
         mesh,
-        world_from_object: DAffine3 {
-            matrix3: turn,
-            translation: place,
-        },
+        world_from_object: DAffine3 { matrix3: turn, translation: place },
         colour,
     });
 }
@@ -145,11 +122,7 @@ fn furnish_streets(instances: &mut Vec<Instance>, centre: DVec3, random: &mut Ra
 fn plant_park(instances: &mut Vec<Instance>, centre: DVec3, random: &mut Random) {
     for _ in 0..14 {
         let reach = 0.5 * PAVEMENT_METRES - 6.0;
-        let offset = DVec3::new(
-            random.between(-reach, reach),
-            KERB_METRES,
-            random.between(-reach, reach),
-        );
+        let offset = DVec3::new(random.between(-reach, reach), KERB_METRES, random.between(-reach, reach));
         plant(instances, centre + offset, random);
     }
 }
@@ -158,23 +131,13 @@ fn plant(instances: &mut Vec<Instance>, foot: DVec3, random: &mut Random) {
     let mesh = if random.below(2) == 0 { CONIFER } else { BROADLEAF };
     let shade = random.between(0.8, 1.25) as f32;
     let turn = random.between(0.0, std::f64::consts::TAU);
-    put_scaled(
-        instances,
-        mesh,
-        foot,
-        turn,
-        random.between(0.7, 1.3),
-        TREE.map(|channel| channel * shade),
-    );
+    put_scaled(instances, mesh, foot, turn, random.between(0.7, 1.3), TREE.map(|channel| channel * shade));
 }
 
 /// One building in each quarter of the block, and trees between them.
 fn build_block(instances: &mut Vec<Instance>, centre: DVec3, random: &mut Random) {
     for quarter in 0..4 {
-        let (x, z) = (
-            f64::from(quarter % 2) * 2.0 - 1.0,
-            f64::from(quarter / 2) * 2.0 - 1.0,
-        );
+        let (x, z) = (f64::from(quarter % 2) * 2.0 - 1.0, f64::from(quarter / 2) * 2.0 - 1.0);
         let middle = centre + DVec3::new(x * 16.5, KERB_METRES, z * 16.5);
         if random.below(8) == 0 {
             plant(instances, middle, random);
@@ -183,20 +146,10 @@ fn build_block(instances: &mut Vec<Instance>, centre: DVec3, random: &mut Random
         let kind = random.below(BUILDINGS.len());
         let turn = random.below(4) as f64 * std::f64::consts::FRAC_PI_2 + random.between(-0.02, 0.02);
         let shift = DVec3::new(random.between(-0.8, 0.8), 0.0, random.between(-0.8, 0.8));
-        put(
-            instances,
-            FIRST_BUILDING + kind,
-            middle + shift,
-            turn,
-            PLASTER[random.below(PLASTER.len())],
-        );
+        put(instances, FIRST_BUILDING + kind, middle + shift, turn, PLASTER[random.below(PLASTER.len())]);
     }
     for _ in 0..2 {
-        let offset = DVec3::new(
-            random.between(-2.0, 2.0),
-            KERB_METRES,
-            random.between(-28.0, 28.0),
-        );
+        let offset = DVec3::new(random.between(-2.0, 2.0), KERB_METRES, random.between(-28.0, 28.0));
         plant(instances, centre + offset, random);
     }
 }
@@ -204,10 +157,7 @@ fn build_block(instances: &mut Vec<Instance>, centre: DVec3, random: &mut Random
 fn slab(name: &str, side: f64, top: f64) -> Mesh {
     let half = 0.5 * side;
     let mut builder = MeshBuilder::new();
-    builder.cuboid(
-        DVec3::new(-half, -FOOTING_METRES, -half),
-        DVec3::new(half, top, half),
-    );
+    builder.cuboid(DVec3::new(-half, -FOOTING_METRES, -half), DVec3::new(half, top, half));
     builder.build(name)
 }
 
@@ -245,42 +195,23 @@ fn car() -> Mesh {
     builder.cuboid(DVec3::new(-2.1, 0.28, -0.88), DVec3::new(2.1, 0.85, 0.88));
     builder.cuboid(DVec3::new(-1.3, 0.8, -0.76), DVec3::new(1.0, 1.42, 0.76));
     for (x, z) in [(-1.35, -0.82), (-1.35, 0.82), (1.35, -0.82), (1.35, 0.82)] {
-        builder.cuboid(
-            DVec3::new(x - 0.31, -0.05, z - 0.1),
-            DVec3::new(x + 0.31, 0.5, z + 0.1),
-        );
+        builder.cuboid(DVec3::new(x - 0.31, -0.05, z - 0.1), DVec3::new(x + 0.31, 0.5, z + 0.1));
     }
     builder.build("car")
 }
 
 /// A body, a parapet and roof boxes, and a frame around every window.
 fn building((bays_x, bays_z, storeys): (u32, u32, u32)) -> Mesh {
-    let (half_x, half_z) = (
-        0.5 * BAY_METRES * f64::from(bays_x),
-        0.5 * BAY_METRES * f64::from(bays_z),
-    );
+    let (half_x, half_z) = (0.5 * BAY_METRES * f64::from(bays_x), 0.5 * BAY_METRES * f64::from(bays_z));
     let height = STOREY_METRES * f64::from(storeys) + 0.6;
     let mut builder = MeshBuilder::new();
-    builder.cuboid(
-        DVec3::new(-half_x, -FOOTING_METRES, -half_z),
-        DVec3::new(half_x, height, half_z),
-    );
+    builder.cuboid(DVec3::new(-half_x, -FOOTING_METRES, -half_z), DVec3::new(half_x, height, half_z));
 
     // Put a cornice around the head and boxes on the roof.
     let cornice = DVec3::new(half_x + 0.35, 0.0, half_z + 0.35);
-    builder.cuboid(
-        -cornice + DVec3::Y * (height - 0.35),
-        cornice + DVec3::Y * (height + 0.25),
-    );
-    for (x, z, size, rise) in [
-        (-0.4, 0.3, 1.4, 1.8),
-        (0.35, -0.2, 0.9, 1.2),
-        (0.1, 0.45, 0.6, 2.4),
-    ] {
-        let (centre, reach) = (
-            DVec3::new(x * half_x, height, z * half_z),
-            DVec3::new(size, 0.0, size),
-        );
+    builder.cuboid(-cornice + DVec3::Y * (height - 0.35), cornice + DVec3::Y * (height + 0.25));
+    for (x, z, size, rise) in [(-0.4, 0.3, 1.4, 1.8), (0.35, -0.2, 0.9, 1.2), (0.1, 0.45, 0.6, 2.4)] {
+        let (centre, reach) = (DVec3::new(x * half_x, height, z * half_z), DVec3::new(size, 0.0, size));
         builder.cuboid(centre - reach, centre + reach + DVec3::Y * (0.25 + rise));
     }
 

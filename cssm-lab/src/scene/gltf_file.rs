@@ -123,30 +123,18 @@ pub enum SceneFileError {
 }
 
 pub(super) fn load(path: &Path) -> Result<Scene, SceneFileError> {
-    let extension = path
-        .extension()
-        .and_then(|extension| extension.to_str())
-        .map(str::to_ascii_lowercase);
+    let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
     if !matches!(extension.as_deref(), Some("gltf" | "glb")) {
-        return Err(SceneFileError::Unknown {
-            name: path.display().to_string(),
-        });
+        return Err(SceneFileError::Unknown { name: path.display().to_string() });
     }
-    let bytes = std::fs::read(path).map_err(|source| SceneFileError::Read {
-        path: path.to_owned(),
-        source,
-    })?;
-    let name = path
-        .file_stem()
-        .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let bytes =
+        std::fs::read(path).map_err(|source| SceneFileError::Read { path: path.to_owned(), source })?;
+    let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     parse(&bytes, path, name)
 }
 
 fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileError> {
-    let malformed = |source| SceneFileError::Document {
-        path: path.to_owned(),
-        source: Box::new(source),
-    };
+    let malformed = |source| SceneFileError::Document { path: path.to_owned(), source: Box::new(source) };
 
     // Name unsupported extensions before the validator refuses them without a name.
     let gltf::Gltf { document, blob } =
@@ -157,19 +145,14 @@ fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileErro
         .map(str::to_owned)
         .collect();
     if !unsupported.is_empty() {
-        return Err(SceneFileError::RequiredExtensions {
-            extensions: unsupported,
-        });
+        return Err(SceneFileError::RequiredExtensions { extensions: unsupported });
     }
     let mut root = document.into_json();
     root.extensions_required.clear();
     // Name primitives without positions before the validator refuses them less clearly.
     let positions = gltf::json::validation::Checked::Valid(gltf::Semantic::Positions);
     for (mesh, primitives) in root.meshes.iter().map(|mesh| &mesh.primitives).enumerate() {
-        if let Some(primitive) = primitives
-            .iter()
-            .position(|p| !p.attributes.contains_key(&positions))
-        {
+        if let Some(primitive) = primitives.iter().position(|p| !p.attributes.contains_key(&positions)) {
             return Err(SceneFileError::NoPositions { mesh, primitive });
         }
     }
@@ -194,11 +177,8 @@ fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileErro
     let scene = document.default_scene().or_else(|| document.scenes().next());
     let mut instances = Vec::new();
     let mut triangles = 0_usize;
-    let mut open: Vec<_> = scene
-        .iter()
-        .flat_map(gltf::Scene::nodes)
-        .map(|node| (node, DMat4::IDENTITY))
-        .collect();
+    let mut open: Vec<_> =
+        scene.iter().flat_map(gltf::Scene::nodes).map(|node| (node, DMat4::IDENTITY)).collect();
     open.reverse();
     let mut seen = vec![false; document.nodes().len()];
     while let Some((node, world_from_parent)) = open.pop() {
@@ -215,16 +195,10 @@ fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileErro
                 why: "has a transform that is not finite",
             });
         }
-        let primitives = node
-            .mesh()
-            .and_then(|mesh| mesh_primitives.get(mesh.index()).cloned());
+        let primitives = node.mesh().and_then(|mesh| mesh_primitives.get(mesh.index()).cloned());
         for mesh in primitives.into_iter().flatten() {
             let world_from_object = DAffine3::from_mat4(world_from_node);
-            instances.push(Instance {
-                mesh,
-                world_from_object,
-                colour: colours[mesh],
-            });
+            instances.push(Instance { mesh, world_from_object, colour: colours[mesh] });
             triangles += meshes[mesh].triangles();
             if triangles > MOST_TRIANGLES || instances.len() > MOST_TRIANGLES {
                 return Err(SceneFileError::TooLarge);
@@ -234,16 +208,9 @@ fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileErro
         open.extend(children.into_iter().rev().map(|child| (child, world_from_node)));
     }
     if triangles == 0 {
-        return Err(SceneFileError::Empty {
-            path: path.to_owned(),
-        });
+        return Err(SceneFileError::Empty { path: path.to_owned() });
     }
-    let mut scene = Scene {
-        name,
-        meshes,
-        instances,
-        views: Vec::new(),
-    };
+    let mut scene = Scene { name, meshes, instances, views: Vec::new() };
     scene.views = surrounding_views(&scene);
     Ok(scene)
 }
@@ -255,17 +222,13 @@ fn surrounding_views(scene: &Scene) -> Vec<Viewpoint> {
     };
     let centre = (bounds.min + bounds.max) * 0.5;
     let reach = 0.35 * (bounds.max - bounds.min).max_element();
-    [
-        (1.0, 0.6, [-0.5, -0.75, -0.3]),
-        (-0.8, 1.0, [0.6, -0.7, 0.2]),
-        (0.1, -1.0, [0.3, -0.6, 0.7]),
-    ]
-    .map(|(x, z, light)| Viewpoint {
-        eye_world: centre + DVec3::new(x, 0.35, z) * reach,
-        target_world: centre,
-        light_travels: light.into(),
-    })
-    .to_vec()
+    [(1.0, 0.6, [-0.5, -0.75, -0.3]), (-0.8, 1.0, [0.6, -0.7, 0.2]), (0.1, -1.0, [0.3, -0.6, 0.7])]
+        .map(|(x, z, light)| Viewpoint {
+            eye_world: centre + DVec3::new(x, 0.35, z) * reach,
+            target_world: centre,
+            light_travels: light.into(),
+        })
+        .to_vec()
 }
 
 fn load_buffers(
@@ -276,22 +239,15 @@ fn load_buffers(
     document
         .buffers()
         .map(|buffer| {
-            let fail = |why: String| SceneFileError::Buffer {
-                buffer: buffer.index(),
-                why,
-            };
+            let fail = |why: String| SceneFileError::Buffer { buffer: buffer.index(), why };
             let bytes = match buffer.source() {
-                gltf::buffer::Source::Bin => blob
-                    .take()
-                    .ok_or_else(|| fail("the file has no binary chunk".to_owned()))?,
+                gltf::buffer::Source::Bin => {
+                    blob.take().ok_or_else(|| fail("the file has no binary chunk".to_owned()))?
+                }
                 gltf::buffer::Source::Uri(uri) => read_uri(uri, path).map_err(fail)?,
             };
             if bytes.len() < buffer.length() {
-                return Err(fail(format!(
-                    "it holds {} bytes of {}",
-                    bytes.len(),
-                    buffer.length()
-                )));
+                return Err(fail(format!("it holds {} bytes of {}", bytes.len(), buffer.length())));
             }
             Ok(bytes)
         })
@@ -300,12 +256,8 @@ fn load_buffers(
 
 fn read_uri(uri: &str, document_path: &Path) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
-        let (_, text) = data
-            .split_once(";base64,")
-            .ok_or("its data address is not base64")?;
-        return base64::engine::general_purpose::STANDARD
-            .decode(text)
-            .map_err(|error| error.to_string());
+        let (_, text) = data.split_once(";base64,").ok_or("its data address is not base64")?;
+        return base64::engine::general_purpose::STANDARD.decode(text).map_err(|error| error.to_string());
     }
     if uri.contains("://") {
         return Err(format!("{uri} is not a local file"));
@@ -337,17 +289,10 @@ fn read_primitive(
     buffers: &[Vec<u8>],
 ) -> Result<Mesh, SceneFileError> {
     let (mesh_index, index) = (mesh.index(), primitive.index());
-    let fail = |why| SceneFileError::Primitive {
-        mesh: mesh_index,
-        primitive: index,
-        why,
-    };
+    let fail = |why| SceneFileError::Primitive { mesh: mesh_index, primitive: index, why };
     let accessor = primitive
         .get(&gltf::Semantic::Positions)
-        .ok_or(SceneFileError::NoPositions {
-            mesh: mesh_index,
-            primitive: index,
-        })?;
+        .ok_or(SceneFileError::NoPositions { mesh: mesh_index, primitive: index })?;
     let positions: Vec<[f32; 3]> = read::<3>(&accessor, Dimensions::Vec3, buffers)?
         .into_iter()
         .map(|point| point.map(|v| v as f32))
@@ -367,11 +312,7 @@ fn read_primitive(
     if indices.iter().any(|index| *index >= vertices) {
         return Err(fail("has an index past its last vertex"));
     }
-    let mode = |mode| SceneFileError::NotTriangles {
-        mesh: mesh_index,
-        primitive: index,
-        mode,
-    };
+    let mode = |mode| SceneFileError::NotTriangles { mesh: mesh_index, primitive: index, mode };
     let indices = match primitive.mode() {
         Mode::Triangles if indices.len() % 3 != 0 => {
             return Err(fail("has an index count that is no multiple of 3"));
@@ -383,17 +324,13 @@ fn read_primitive(
                 [indices[last - 2], indices[last - 1 + odd], indices[last - odd]]
             })
             .collect(),
-        Mode::TriangleFan => (2..indices.len())
-            .flat_map(|last| [indices[0], indices[last - 1], indices[last]])
-            .collect(),
+        Mode::TriangleFan => {
+            (2..indices.len()).flat_map(|last| [indices[0], indices[last - 1], indices[last]]).collect()
+        }
         Mode::Points => return Err(mode("points")),
         Mode::Lines | Mode::LineLoop | Mode::LineStrip => return Err(mode("lines")),
     };
-    Ok(Mesh {
-        name: mesh.name().unwrap_or("mesh").to_owned(),
-        positions,
-        indices,
-    })
+    Ok(Mesh { name: mesh.name().unwrap_or("mesh").to_owned(), positions, indices })
 }
 
 fn colour(primitive: &gltf::Primitive<'_>) -> [f32; 3] {
@@ -403,11 +340,7 @@ fn colour(primitive: &gltf::Primitive<'_>) -> [f32; 3] {
     }
     let [red, green, blue, _] = material.pbr_metallic_roughness().base_color_factor();
     // A textured material usually leaves its factor white; a mid grey shows shadows better.
-    if red.min(green).min(blue) > 0.95 {
-        PLAIN
-    } else {
-        [red, green, blue]
-    }
+    if red.min(green).min(blue) > 0.95 { PLAIN } else { [red, green, blue] }
 }
 
 fn local_transform(node: &gltf::Node<'_>) -> DMat4 {

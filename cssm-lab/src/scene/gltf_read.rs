@@ -10,15 +10,9 @@ pub(super) fn read<const N: usize>(
     dimensions: Dimensions,
     buffers: &[Vec<u8>],
 ) -> Result<Vec<[f64; N]>, SceneFileError> {
-    let fail = |why: &str| SceneFileError::Accessor {
-        accessor: accessor.index(),
-        why: why.to_owned(),
-    };
+    let fail = |why: &str| SceneFileError::Accessor { accessor: accessor.index(), why: why.to_owned() };
     if accessor.dimensions() != dimensions {
-        return Err(fail(&format!(
-            "it holds {:?} where {dimensions:?} is needed",
-            accessor.dimensions()
-        )));
+        return Err(fail(&format!("it holds {:?} where {dimensions:?} is needed", accessor.dimensions())));
     }
     let data_type = accessor.data_type();
     let normalized = accessor.normalized();
@@ -67,9 +61,7 @@ pub(super) fn read<const N: usize>(
             strided(value_bytes, element_bytes, element_bytes, sparse.count()).ok_or_else(past_end)?;
         for (target, value) in targets.zip(values) {
             let target = component(target, index_type, false).ok_or_else(past_end)? as usize;
-            let slot = elements
-                .get_mut(target)
-                .ok_or_else(|| fail("a sparse index lies outside it"))?;
+            let slot = elements.get_mut(target).ok_or_else(|| fail("a sparse index lies outside it"))?;
             *slot = element(value).ok_or_else(past_end)?;
         }
     }
@@ -81,10 +73,7 @@ const SPARSE_LIMIT: usize = 1 << 24;
 
 fn view_bytes<'a>(view: &gltf::buffer::View<'_>, offset: usize, buffers: &'a [Vec<u8>]) -> Option<&'a [u8]> {
     let end = view.offset().checked_add(view.length())?;
-    buffers
-        .get(view.buffer().index())?
-        .get(view.offset()..end)?
-        .get(offset..)
+    buffers.get(view.buffer().index())?.get(view.offset()..end)?.get(offset..)
 }
 
 /// `count` slices of `length` bytes, `stride` apart; `None` when the bytes do not hold them all.
@@ -109,15 +98,8 @@ fn component(bytes: &[u8], data_type: DataType, normalized: bool) -> Option<f64>
         DataType::U8 => (f64::from(*bytes.first()?), 255.0),
         DataType::I16 => (f64::from(i16::from_le_bytes(*bytes.first_chunk()?)), 32767.0),
         DataType::U16 => (f64::from(u16::from_le_bytes(*bytes.first_chunk()?)), 65535.0),
-        DataType::U32 => (
-            f64::from(u32::from_le_bytes(*bytes.first_chunk()?)),
-            f64::from(u32::MAX),
-        ),
+        DataType::U32 => (f64::from(u32::from_le_bytes(*bytes.first_chunk()?)), f64::from(u32::MAX)),
         DataType::F32 => return Some(f64::from(f32::from_le_bytes(*bytes.first_chunk()?))),
     };
-    Some(if normalized {
-        f64::max(value / largest, -1.0)
-    } else {
-        value
-    })
+    Some(if normalized { f64::max(value / largest, -1.0) } else { value })
 }

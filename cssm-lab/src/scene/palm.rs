@@ -6,12 +6,8 @@ use super::random::Random;
 use super::solid::MeshBuilder;
 use super::{Instance, Mesh, Scene, Viewpoint};
 
-const PALMS: [(f64, f64, f64); 4] = [
-    (0.0, 0.0, 1.0),
-    (6.5, -7.0, 1.25),
-    (-8.0, -12.0, 1.1),
-    (-3.5, 9.0, 0.8),
-];
+const PALMS: [(f64, f64, f64); 4] =
+    [(0.0, 0.0, 1.0), (6.5, -7.0, 1.25), (-8.0, -12.0, 1.1), (-3.5, 9.0, 0.8)];
 const FRONDS_PER_PALM: usize = 16;
 const FROND_SHAPES: usize = 4;
 const FROND_SEGMENTS: usize = 8;
@@ -35,11 +31,8 @@ pub(super) fn scene() -> Scene {
     let mut instances = Vec::new();
     for tile in 0..GROUND_TILES_PER_SIDE * GROUND_TILES_PER_SIDE {
         let along = |index: i32| f64::from(index - GROUND_TILES_PER_SIDE / 2) * GROUND_TILE_METRES;
-        let corner = DVec3::new(
-            along(tile % GROUND_TILES_PER_SIDE),
-            0.0,
-            along(tile / GROUND_TILES_PER_SIDE),
-        );
+        let corner =
+            DVec3::new(along(tile % GROUND_TILES_PER_SIDE), 0.0, along(tile / GROUND_TILES_PER_SIDE));
         instances.push(Instance {
             mesh: 0,
             world_from_object: DAffine3::from_translation(corner),
@@ -52,11 +45,7 @@ pub(super) fn scene() -> Scene {
         let turn = random.between(0.0, std::f64::consts::TAU);
         let trunk = DAffine3::from_translation(DVec3::new(x, 0.0, z))
             * DAffine3::from_mat3(turn_about_y(turn) * DMat3::from_diagonal(DVec3::splat(size)));
-        instances.push(Instance {
-            mesh: 1,
-            world_from_object: trunk,
-            colour: BARK,
-        });
+        instances.push(Instance { mesh: 1, world_from_object: trunk, colour: BARK });
         for index in 0..FRONDS_PER_PALM {
             let turn = (index as f64 + random.between(-0.3, 0.3)) * 2.399_963; // golden angle
             let tilt = 0.9 - 1.2 * index as f64 / FRONDS_PER_PALM as f64 + random.between(-0.1, 0.1);
@@ -66,11 +55,7 @@ pub(super) fn scene() -> Scene {
             let world_from_object = trunk * head * DAffine3::from_mat3(place);
             let shade = random.between(0.85, 1.2) as f32;
             let colour = LEAF.map(|channel| channel * shade);
-            instances.push(Instance {
-                mesh: 2 + index % FROND_SHAPES,
-                world_from_object,
-                colour,
-            });
+            instances.push(Instance { mesh: 2 + index % FROND_SHAPES, world_from_object, colour });
         }
     }
 
@@ -80,16 +65,11 @@ pub(super) fn scene() -> Scene {
         light_travels: light.into(),
     };
     let views = vec![
-        view([13.0, 6.0, 16.0], [-1.5, 1.8, -3.0], [-0.5, -0.75, -0.3]),
+        view([8.5, 3.6, 9.5], [-2.5, 1.6, -3.0], [-0.45, -0.5, 0.35]),
         view([-16.0, 9.0, 6.0], [0.0, 1.0, -3.0], [0.3, -0.8, 0.6]),
         view([2.0, 1.7, 24.0], [-1.0, 2.5, 0.0], [0.35, -0.5, 0.8]),
     ];
-    Scene {
-        name: "palm".to_owned(),
-        meshes,
-        instances,
-        views,
-    }
+    Scene { name: "palm".to_owned(), meshes, instances, views }
 }
 
 fn ground() -> Mesh {
@@ -101,11 +81,7 @@ fn ground() -> Mesh {
 
 /// Centre of the trunk at a share of its height; it leans and straightens up.
 fn trunk_centre(share: f64) -> DVec3 {
-    DVec3::new(
-        1.4 * share * share * (1.5 - 0.5 * share),
-        TRUNK_HEIGHT_METRES * share,
-        0.0,
-    )
+    DVec3::new(1.4 * share * share * (1.5 - 0.5 * share), TRUNK_HEIGHT_METRES * share, 0.0)
 }
 
 fn trunk() -> Mesh {

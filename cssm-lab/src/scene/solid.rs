@@ -12,18 +12,11 @@ pub(crate) struct MeshBuilder {
 
 impl MeshBuilder {
     pub(crate) const fn new() -> Self {
-        Self {
-            positions: Vec::new(),
-            indices: Vec::new(),
-        }
+        Self { positions: Vec::new(), indices: Vec::new() }
     }
 
     pub(crate) fn build(self, name: impl Into<String>) -> Mesh {
-        Mesh {
-            name: name.into(),
-            positions: self.positions,
-            indices: self.indices,
-        }
+        Mesh { name: name.into(), positions: self.positions, indices: self.indices }
     }
 
     /// A single triangle, counter-clockwise from outside.
@@ -42,11 +35,7 @@ impl MeshBuilder {
     pub(crate) fn cuboid(&mut self, min: DVec3, max: DVec3) {
         let corner = |x: bool, y: bool, z: bool| {
             let pick = |high: bool, low: f64, top: f64| if high { top } else { low };
-            DVec3::new(
-                pick(x, min.x, max.x),
-                pick(y, min.y, max.y),
-                pick(z, min.z, max.z),
-            )
+            DVec3::new(pick(x, min.x, max.x), pick(y, min.y, max.y), pick(z, min.z, max.z))
         };
         let [o, i] = [false, true];
         self.quad([corner(o, o, i), corner(i, o, i), corner(i, i, i), corner(o, i, i)]);
@@ -100,13 +89,7 @@ impl MeshBuilder {
             let after = centres[(index + 1).min(centres.len() - 1)].0;
             let axis = (after - before).normalize_or(DVec3::Y);
             across = (across - axis * axis.dot(across)).normalize_or(axis.any_orthonormal_vector());
-            rings.push(ring_across(
-                centres[index].0,
-                across,
-                axis.cross(across),
-                centres[index].1,
-                sides,
-            ));
+            rings.push(ring_across(centres[index].0, across, axis.cross(across), centres[index].1, sides));
         }
         for pair in rings.windows(2) {
             for side in 0..sides as usize {
@@ -118,8 +101,7 @@ impl MeshBuilder {
 
     fn vertices(&mut self, corners: &[DVec3]) -> u32 {
         let first = self.positions.len() as u32;
-        self.positions
-            .extend(corners.iter().map(|corner| corner.as_vec3().to_array()));
+        self.positions.extend(corners.iter().map(|corner| corner.as_vec3().to_array()));
         first
     }
 }
@@ -153,12 +135,7 @@ mod tests {
         let corner = |index: &u32| DVec3::from_array(mesh.positions[*index as usize].map(f64::from));
         mesh.indices
             .chunks_exact(3)
-            .map(|triangle| {
-                corner(&triangle[0])
-                    .cross(corner(&triangle[1]))
-                    .dot(corner(&triangle[2]))
-                    / 6.0
-            })
+            .map(|triangle| corner(&triangle[0]).cross(corner(&triangle[1])).dot(corner(&triangle[2])) / 6.0)
             .sum()
     }
 
@@ -179,11 +156,7 @@ mod tests {
             let mesh = builder.build("cone");
             assert_eq!(mesh.triangles(), triangles);
             let exact = std::f64::consts::PI * 3.0 * (foot * foot + foot * head + head * head) / 3.0;
-            assert!(
-                (volume(&mesh) / exact - 1.0).abs() < 3e-3,
-                "{foot} {head}: {}",
-                volume(&mesh)
-            );
+            assert!((volume(&mesh) / exact - 1.0).abs() < 3e-3, "{foot} {head}: {}", volume(&mesh));
         }
     }
 

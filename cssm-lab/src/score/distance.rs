@@ -23,14 +23,9 @@ pub(super) fn transform(marks: &Marks) -> Vec<f64> {
     }
 
     // Combine the columns along each row.
-    squared
-        .par_chunks_mut(width)
-        .for_each_init(Envelope::default, |envelope, row| envelope.lower(row));
+    squared.par_chunks_mut(width).for_each_init(Envelope::default, |envelope, row| envelope.lower(row));
     // Two places make a pixel.
-    squared
-        .par_iter()
-        .map(|squared| 0.5 * squared.min(farthest).sqrt())
-        .collect()
+    squared.par_iter().map(|squared| 0.5 * squared.min(farthest).sqrt()).collect()
 }
 
 /// Lower envelope of parabolas x -> value + (x - apex)^2; kept between rows for its memory.
@@ -81,40 +76,26 @@ mod tests {
 
     #[test]
     fn distances_equal_those_of_trying_every_mark() {
-        let lattice = Lattice {
-            width: 23,
-            height: 17,
-        };
-        let mut marks = Marks {
-            lattice,
-            marked: vec![false; 23 * 17],
-        };
+        let lattice = Lattice { width: 23, height: 17 };
+        let mut marks = Marks { lattice, marked: vec![false; 23 * 17] };
         for place in [0, 45, 123, 124, 200, 390] {
             marks.marked[place] = true;
         }
         let found = transform(&marks);
         for place in 0..23_usize * 17 {
             let tried = marks.places().map(|mark| {
-                let (x, y) = (
-                    (place % 23).abs_diff(mark % 23) as f64,
-                    (place / 23).abs_diff(mark / 23) as f64,
-                );
+                let (x, y) =
+                    ((place % 23).abs_diff(mark % 23) as f64, (place / 23).abs_diff(mark / 23) as f64);
                 0.5 * x.hypot(y)
             });
-            assert!(
-                (found[place] - tried.fold(f64::INFINITY, f64::min)).abs() < 1e-12,
-                "place {place}"
-            );
+            assert!((found[place] - tried.fold(f64::INFINITY, f64::min)).abs() < 1e-12, "place {place}");
         }
     }
 
     #[test]
     fn nothing_marked_is_as_far_as_the_diagonal() {
         let lattice = Lattice { width: 9, height: 13 };
-        let found = transform(&Marks {
-            lattice,
-            marked: vec![false; 9 * 13],
-        });
+        let found = transform(&Marks { lattice, marked: vec![false; 9 * 13] });
         assert!(found.iter().all(|distance| *distance == 0.5 * 250.0_f64.sqrt()));
     }
 }

@@ -27,10 +27,7 @@ pub(super) struct Lattice {
 
 impl Lattice {
     pub(super) const fn of(frame: &Frame) -> Self {
-        Self {
-            width: 2 * frame.width + 1,
-            height: 2 * frame.height + 1,
-        }
+        Self { width: 2 * frame.width + 1, height: 2 * frame.height + 1 }
     }
 
     /// Place of a pixel's centre.
@@ -63,11 +60,8 @@ impl Marks {
     /// Shadow edges: neighbours on one surface, both facing the light, one lit and one not.
     pub(super) fn edges(frame: &Frame, lattice: Lattice, lit: impl Fn(usize) -> bool) -> Self {
         Self::between(frame, lattice, |one, two| {
-            let faces = |index: usize| {
-                frame.pixels[index]
-                    .as_ref()
-                    .filter(|pixel| pixel.cosine > FACING_COSINE)
-            };
+            let faces =
+                |index: usize| frame.pixels[index].as_ref().filter(|pixel| pixel.cosine > FACING_COSINE);
             let (Some(first), Some(second)) = (faces(one), faces(two)) else {
                 return false;
             };
@@ -78,16 +72,15 @@ impl Marks {
     /// Discontinuities of depth or normal, silhouettes, changes of facing, and the image's border, behind which
     /// edges may hide.
     pub(super) fn creases(frame: &Frame, lattice: Lattice) -> Self {
-        let mut marks = Self::between(frame, lattice, |one, two| {
-            match (&frame.pixels[one], &frame.pixels[two]) {
+        let mut marks =
+            Self::between(frame, lattice, |one, two| match (&frame.pixels[one], &frame.pixels[two]) {
                 (None, None) => false,
                 (Some(first), Some(second)) => {
                     (first.cosine > FACING_COSINE) != (second.cosine > FACING_COSINE)
                         || !same_surface(first, second)
                 }
                 _ => true,
-            }
-        });
+            });
         for x in 0..lattice.width {
             marks.marked[x] = true;
             marks.marked[(lattice.height - 1) * lattice.width + x] = true;
@@ -125,24 +118,13 @@ impl Marks {
 
     /// The union of two sets of marks on one lattice.
     pub(super) fn with(&self, other: &Self) -> Self {
-        let marked = self
-            .marked
-            .iter()
-            .zip(&other.marked)
-            .map(|(one, two)| *one || *two)
-            .collect();
-        Self {
-            lattice: self.lattice,
-            marked,
-        }
+        let marked = self.marked.iter().zip(&other.marked).map(|(one, two)| *one || *two).collect();
+        Self { lattice: self.lattice, marked }
     }
 
     /// Places of all marks.
     pub(super) fn places(&self) -> impl Iterator<Item = usize> {
-        self.marked
-            .iter()
-            .enumerate()
-            .filter_map(|(place, marked)| marked.then_some(place))
+        self.marked.iter().enumerate().filter_map(|(place, marked)| marked.then_some(place))
     }
 
     /// Number of marks.
@@ -182,19 +164,14 @@ impl FineEdges {
     ) -> Result<Self, ViewError> {
         let (width, height) = view.size_pixels;
         let scaled = |side: u32| side.checked_mul(FINE_SAMPLES).ok_or(ViewError::NoPixels);
-        let fine_view = View {
-            size_pixels: (scaled(width)?, scaled(height)?),
-            ..*view
-        };
+        let fine_view = View { size_pixels: (scaled(width)?, scaled(height)?), ..*view };
         let fine = Frame::trace(tracer, &fine_view, light, progress);
         Ok(Self::of(&fine, FINE_SAMPLES as usize))
     }
 
     pub(super) fn of(fine: &Frame, samples: usize) -> Self {
-        let lattice = Lattice {
-            width: 2 * (fine.width / samples) + 1,
-            height: 2 * (fine.height / samples) + 1,
-        };
+        let lattice =
+            Lattice { width: 2 * (fine.width / samples) + 1, height: 2 * (fine.height / samples) + 1 };
         let fine_lattice = Lattice::of(fine);
         let lit = |index: usize| fine.pixels[index].as_ref().is_some_and(|pixel| pixel.lit);
         Self {

@@ -60,11 +60,7 @@ impl Assignment {
                 let volume = footprint::volume(facet, view, pixel.position);
                 let surface = footprint::surface(facet, view, pixel.position, pixel.normal);
                 let capped = |pixels: f64| {
-                    if pixels < LARGEST_PIXELS {
-                        pixels
-                    } else {
-                        LARGEST_PIXELS
-                    }
+                    if pixels < LARGEST_PIXELS { pixels } else { LARGEST_PIXELS }
                 };
                 let footprint = PixelFootprint {
                     volume_pixels: capped(volume.major_pixels),
@@ -99,14 +95,8 @@ impl Assignment {
         }
         let used = read.iter().filter(|read| **read).count();
         Self {
-            facets: found
-                .iter()
-                .map(|found| found.map_or(NO_FACET, |(facet, _)| facet))
-                .collect(),
-            footprints: found
-                .iter()
-                .map(|found| found.map(|(_, footprint)| footprint))
-                .collect(),
+            facets: found.iter().map(|found| found.map_or(NO_FACET, |(facet, _)| facet)).collect(),
+            footprints: found.iter().map(|found| found.map(|(_, footprint)| footprint)).collect(),
             scene_utilisation: super::statistics::share(used as u64, read.len() as u64),
         }
     }
@@ -116,16 +106,10 @@ impl Assignment {
         let all = |pick: fn(&PixelFootprint) -> f64| {
             Percentiles::of(self.footprints.iter().flatten().map(pick).collect())
         };
-        let facing = self
-            .footprints
-            .iter()
-            .zip(&frame.pixels)
-            .filter_map(|(footprint, pixel)| {
-                pixel
-                    .as_ref()
-                    .filter(|pixel| pixel.cosine > super::FACING_COSINE)?;
-                Some(footprint.as_ref()?.surface_pixels)
-            });
+        let facing = self.footprints.iter().zip(&frame.pixels).filter_map(|(footprint, pixel)| {
+            pixel.as_ref().filter(|pixel| pixel.cosine > super::FACING_COSINE)?;
+            Some(footprint.as_ref()?.surface_pixels)
+        });
         FrameFootprint {
             volume: all(|footprint| footprint.volume_pixels),
             geometric: all(|footprint| footprint.geometric_pixels),

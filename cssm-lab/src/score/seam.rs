@@ -46,11 +46,7 @@ impl Seam {
             let Some(footprint) = surface_footprint(footprints, lattice, place) else {
                 continue;
             };
-            let side = if to_boundary[place] <= STRIP_PIXELS {
-                &mut strip
-            } else {
-                &mut elsewhere
-            };
+            let side = if to_boundary[place] <= STRIP_PIXELS { &mut strip } else { &mut elsewhere };
             side.push(to_map[place] / footprint);
         }
         let interior_wrong = verdicts.iter().enumerate().filter(|(index, verdict)| {
@@ -68,11 +64,7 @@ impl Seam {
             strip,
             elsewhere,
             mean_ratio,
-            p95_ratio: if strip_edge_pixels == 0 {
-                None
-            } else {
-                ratio(strip.p95, elsewhere.p95)
-            },
+            p95_ratio: if strip_edge_pixels == 0 { None } else { ratio(strip.p95, elsewhere.p95) },
             interior_wrong_pixels: interior_wrong.count() as u64,
         })
     }

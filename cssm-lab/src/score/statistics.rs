@@ -34,20 +34,13 @@ pub fn quantile(ascending: &[f64], share: f64) -> f64 {
         return 0.0;
     };
     let place = share.clamp(0.0, 1.0) * last as f64;
-    let (low, high) = (
-        ascending[place.floor() as usize],
-        ascending[place.ceil() as usize],
-    );
+    let (low, high) = (ascending[place.floor() as usize], ascending[place.ceil() as usize]);
     low + (high - low) * place.fract()
 }
 
 /// `count / total`; 0 of nothing.
 pub fn share(count: u64, total: u64) -> f64 {
-    if total == 0 {
-        0.0
-    } else {
-        count as f64 / total as f64
-    }
+    if total == 0 { 0.0 } else { count as f64 / total as f64 }
 }
 
 /// Least-squares slope of y over x; `None` for fewer than two different x.
@@ -67,15 +60,7 @@ mod tests {
     #[test]
     fn quantiles_interpolate() {
         let percentiles = Percentiles::of((0..=100).rev().map(f64::from).collect());
-        assert_eq!(
-            percentiles,
-            Percentiles {
-                median: 50.0,
-                p95: 95.0,
-                p99: 99.0,
-                max: 100.0
-            }
-        );
+        assert_eq!(percentiles, Percentiles { median: 50.0, p95: 95.0, p99: 99.0, max: 100.0 });
         assert_eq!(quantile(&[1.0, 2.0], 0.25), 1.25);
         assert_eq!(Percentiles::of(Vec::new()), Percentiles::default());
     }

@@ -24,11 +24,7 @@ fn plane(lit: impl Fn(usize, usize) -> bool) -> Frame {
             })
         })
         .collect();
-    Frame {
-        width: WIDTH,
-        height: HEIGHT,
-        pixels,
-    }
+    Frame { width: WIDTH, height: HEIGHT, pixels }
 }
 
 struct Map {
@@ -87,13 +83,7 @@ fn an_edge_moved_by_two_pixels_is_a_leak_in_the_edge_band() {
     assert_eq!(score.leak.edge, 2.0 * HEIGHT as f64 / PIXELS);
     assert_eq!((score.leak.total, score.acne.total), (score.leak.edge, 0.0));
     let displacement = score.edge_displacement;
-    assert_eq!(
-        (
-            displacement.map_to_true.pixels.median,
-            displacement.true_to_map.pixels.p95
-        ),
-        (2.0, 2.0)
-    );
+    assert_eq!((displacement.map_to_true.pixels.median, displacement.true_to_map.pixels.p95), (2.0, 2.0));
     assert_eq!(displacement.true_to_map.footprints.p95, 2.0);
     // The same distance is half a footprint of a map whose texels span four pixels.
     let coarse = Map::new(|x, _| x >= 28, 4.0).score(&plane(|x, _| x >= 30));
@@ -104,11 +94,7 @@ fn an_edge_moved_by_two_pixels_is_a_leak_in_the_edge_band() {
 fn an_edge_moved_far_reaches_the_interior_unless_texels_are_large() {
     let frame = plane(|x, _| x >= 30);
     let moved = Map::new(|x, _| x >= 20, 1.0).score(&frame);
-    assert!(
-        moved.leak.interior > 0.0 && moved.interior_wrong_pixels > 100,
-        "{:?}",
-        moved.leak
-    );
+    assert!(moved.leak.interior > 0.0 && moved.interior_wrong_pixels > 100, "{:?}", moved.leak);
     let coarse = Map::new(|x, _| x >= 20, 5.0).score(&frame);
     assert_eq!(coarse.leak.interior, 0.0);
     assert_eq!(coarse.leak.total, moved.leak.total);
@@ -120,14 +106,7 @@ fn a_hole_in_a_shadow_is_interior_leak() {
     let (score, verdicts) = Map::new(|x, y| x < 30 || hole(x, y), 1.0).verdicts(&plane(|x, _| x < 30), None);
     assert_eq!(score.leak.interior, 9.0 / PIXELS);
     assert_eq!((score.acne.total, score.interior_wrong_pixels), (0.0, 9));
-    assert_eq!(
-        verdicts
-            .iter()
-            .flatten()
-            .filter(|verdict| verdict.wrong())
-            .count(),
-        9
-    );
+    assert_eq!(verdicts.iter().flatten().filter(|verdict| verdict.wrong()).count(), 9);
 }
 
 #[test]
@@ -192,31 +171,18 @@ fn grazing_pixels_are_counted_apart() {
         }
     }
     let score = Map::new(|_, _| false, 1.0).score(&frame);
-    assert_eq!(
-        (score.facing_pixels, score.grazing_pixels),
-        (20 * HEIGHT as u64, 40 * HEIGHT as u64)
-    );
-    assert_eq!(
-        (score.acne.total, score.grazing.acne, score.shallow.acne),
-        (1.0, 1.0, 1.0)
-    );
+    assert_eq!((score.facing_pixels, score.grazing_pixels), (20 * HEIGHT as u64, 40 * HEIGHT as u64));
+    assert_eq!((score.acne.total, score.grazing.acne, score.shallow.acne), (1.0, 1.0, 1.0));
     assert_eq!(score.shallow.pixels, 20 * HEIGHT as u64);
 }
 
 #[test]
 fn sky_is_not_judged() {
     let mut frame = plane(|_, _| true);
-    frame
-        .pixels
-        .iter_mut()
-        .take(WIDTH * 10)
-        .for_each(|pixel| *pixel = None);
+    frame.pixels.iter_mut().take(WIDTH * 10).for_each(|pixel| *pixel = None);
     let map = Map::new(|_, y| y >= 10, 1.0);
     let score = map.score(&frame);
-    assert_eq!(
-        (score.mismatch, score.visible_pixels),
-        (0.0, (WIDTH * (HEIGHT - 10)) as u64)
-    );
+    assert_eq!((score.mismatch, score.visible_pixels), (0.0, (WIDTH * (HEIGHT - 10)) as u64));
     assert_eq!(score.edge_displacement.map_to_true.count, 0);
 }
 
@@ -234,9 +200,7 @@ fn a_seam_shows_in_its_strip_only() {
     // The shadow edge runs across the boundary between two facets at x = 30.
     let truth = plane(|_, y| y < 20);
     let with_boundary = |mut map: Map| {
-        map.facets = (0..WIDTH * HEIGHT)
-            .map(|index| u32::from(index % WIDTH >= 30))
-            .collect();
+        map.facets = (0..WIDTH * HEIGHT).map(|index| u32::from(index % WIDTH >= 30)).collect();
         map
     };
     let straight = with_boundary(Map::new(|_, y| y < 21, 1.0)).score(&truth);
@@ -260,23 +224,13 @@ fn fine_edges_excuse_what_is_thinner_than_a_pixel() {
         .map(|index| {
             let (x, y) = (index % (WIDTH * samples), index / (WIDTH * samples));
             let coarse = fine.pixels[y / samples * WIDTH + x / samples]?;
-            Some(Visible {
-                lit: x != 30 * samples,
-                ..coarse
-            })
+            Some(Visible { lit: x != 30 * samples, ..coarse })
         })
         .collect();
-    fine = Frame {
-        width: WIDTH * samples,
-        height: HEIGHT * samples,
-        pixels,
-    };
+    fine = Frame { width: WIDTH * samples, height: HEIGHT * samples, pixels };
     let frame = plane(|_, _| true);
     let map = Map::new(|x, _| x != 30, 1.0);
     assert!(map.score(&frame).acne.interior > 0.0);
     let (score, _) = map.verdicts(&frame, Some(&FineEdges::of(&fine, samples)));
-    assert_eq!(
-        (score.acne.interior, score.acne.edge),
-        (0.0, HEIGHT as f64 / PIXELS)
-    );
+    assert_eq!((score.acne.interior, score.acne.edge), (0.0, HEIGHT as f64 / PIXELS));
 }

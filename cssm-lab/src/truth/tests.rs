@@ -12,23 +12,13 @@ fn scene(meshes: Vec<Mesh>, places: &[(usize, DVec3)]) -> Scene {
             colour: [0.5; 3],
         })
         .collect();
-    Scene {
-        name: "made".to_owned(),
-        meshes,
-        instances,
-        views: Vec::new(),
-    }
+    Scene { name: "made".to_owned(), meshes, instances, views: Vec::new() }
 }
 
 fn quad(size: f32) -> Mesh {
     Mesh {
         name: "quad".to_owned(),
-        positions: vec![
-            [-size, 0.0, -size],
-            [-size, 0.0, size],
-            [size, 0.0, size],
-            [size, 0.0, -size],
-        ],
+        positions: vec![[-size, 0.0, -size], [-size, 0.0, size], [size, 0.0, size], [size, 0.0, -size]],
         indices: vec![0, 1, 2, 0, 2, 3],
     }
 }
@@ -43,14 +33,8 @@ fn light(x: f64, y: f64, z: f64) -> Light {
 
 /// A sheet one metre over the ground, seen from above and aside.
 fn sheet_over_ground(offset: DVec3) -> (Tracer, View) {
-    let scene = scene(
-        vec![quad(50.0), quad(1.0)],
-        &[(0, offset), (1, offset + DVec3::Y)],
-    );
-    (
-        Tracer::new(&scene),
-        view(offset + DVec3::new(0.0, 6.0, 6.0), offset),
-    )
+    let scene = scene(vec![quad(50.0), quad(1.0)], &[(0, offset), (1, offset + DVec3::Y)]);
+    (Tracer::new(&scene), view(offset + DVec3::new(0.0, 6.0, 6.0), offset))
 }
 
 #[test]
@@ -83,23 +67,11 @@ fn both_sides_of_a_sheet_cast_and_are_seen() {
     flipped.indices = vec![0, 2, 1, 0, 3, 2];
     let scene = scene(vec![quad(50.0), flipped], &[(0, DVec3::ZERO), (1, DVec3::Y)]);
     let tracer = Tracer::new(&scene);
-    let frame = Frame::trace(
-        &tracer,
-        &view(DVec3::new(0.0, 6.0, 6.0), DVec3::ZERO),
-        &light(0.0, -1.0, 0.0),
-        &|_| {},
-    );
+    let frame =
+        Frame::trace(&tracer, &view(DVec3::new(0.0, 6.0, 6.0), DVec3::ZERO), &light(0.0, -1.0, 0.0), &|_| {});
     assert!(frame.visible().any(|(_, pixel)| pixel.instance == 1 && pixel.lit));
-    assert!(
-        frame
-            .visible()
-            .any(|(_, pixel)| pixel.instance == 0 && !pixel.lit)
-    );
-    assert!(
-        frame
-            .visible()
-            .all(|(_, pixel)| pixel.normal.dot(pixel.position) < 0.0)
-    );
+    assert!(frame.visible().any(|(_, pixel)| pixel.instance == 0 && !pixel.lit));
+    assert!(frame.visible().all(|(_, pixel)| pixel.normal.dot(pixel.position) < 0.0));
 }
 
 #[test]
@@ -107,21 +79,11 @@ fn hierarchy_agrees_with_trying_every_triangle() {
     let scene = Scene::palm();
     let tracer = Tracer::new(&scene);
     let spot = scene.views[0];
-    let view = View::perspective(
-        spot.eye_world,
-        spot.target_world,
-        DVec3::Y,
-        1.0,
-        0.1,
-        f64::INFINITY,
-        (24, 16),
-    )
-    .unwrap();
+    let view =
+        View::perspective(spot.eye_world, spot.target_world, DVec3::Y, 1.0, 0.1, f64::INFINITY, (24, 16))
+            .unwrap();
     let mut stack = Vec::new();
-    for (index, direction) in [DVec3::new(0.4, 0.8, 0.3), DVec3::Y, DVec3::X]
-        .into_iter()
-        .enumerate()
-    {
+    for (index, direction) in [DVec3::new(0.4, 0.8, 0.3), DVec3::Y, DVec3::X].into_iter().enumerate() {
         for pixel in 0..24 * 16 {
             let ray = view.ray_world(f64::from(pixel % 24) + 0.5, f64::from(pixel / 24) + 0.5);
             let found = tracer.nearest(view.eye_world, ray, 0.1, f64::INFINITY, &mut stack);
@@ -147,12 +109,7 @@ fn axis_aligned_rays_meet_flat_boxes() {
 #[test]
 fn empty_scenes_are_sky() {
     let tracer = Tracer::new(&scene(Vec::new(), &[]));
-    let frame = Frame::trace(
-        &tracer,
-        &view(DVec3::X, DVec3::ZERO),
-        &light(0.0, -1.0, 0.0),
-        &|_| {},
-    );
+    let frame = Frame::trace(&tracer, &view(DVec3::X, DVec3::ZERO), &light(0.0, -1.0, 0.0), &|_| {});
     assert_eq!(frame.visible().count(), 0);
 }
 
@@ -163,16 +120,9 @@ fn city_is_traced_in_seconds() {
     let tracer = Tracer::new(&scene);
     let built = start.elapsed();
     let spot = scene.views[0];
-    let view = View::perspective(
-        spot.eye_world,
-        spot.target_world,
-        DVec3::Y,
-        1.0,
-        0.1,
-        f64::INFINITY,
-        (640, 360),
-    )
-    .unwrap();
+    let view =
+        View::perspective(spot.eye_world, spot.target_world, DVec3::Y, 1.0, 0.1, f64::INFINITY, (640, 360))
+            .unwrap();
     let light = Light::directional_travelling(spot.light_travels).unwrap();
     let frame = Frame::trace(&tracer, &view, &light, &|_| {});
     println!(
@@ -181,8 +131,5 @@ fn city_is_traced_in_seconds() {
         start.elapsed()
     );
     let shadowed = frame.visible().filter(|(_, pixel)| !pixel.lit).count();
-    assert!(
-        shadowed > 640 * 360 / 20 && frame.visible().count() > 640 * 360 / 2,
-        "{shadowed}"
-    );
+    assert!(shadowed > 640 * 360 / 20 && frame.visible().count() > 640 * 360 / 2, "{shadowed}");
 }

@@ -70,10 +70,7 @@ impl Tracer {
                     instance.world_from_object.transform_point3(object)
                 };
                 let [corner, second, third] = [place(corners[0]), place(corners[1]), place(corners[2])];
-                let triangle = Triangle {
-                    corner,
-                    edges: [second - corner, third - corner],
-                };
+                let triangle = Triangle { corner, edges: [second - corner, third - corner] };
                 if triangle.edges[0].cross(triangle.edges[1]).length_squared() > 0.0 {
                     triangles.push(triangle);
                     instances.push(index as u32);
@@ -82,20 +79,11 @@ impl Tracer {
         }
 
         // Build the hierarchy and copy it into the order in which rays walk it.
-        let mut shapes: Vec<_> = triangles
-            .iter()
-            .map(|triangle| Shape {
-                bounds: bounds(triangle),
-                node: 0,
-            })
-            .collect();
+        let mut shapes: Vec<_> =
+            triangles.iter().map(|triangle| Shape { bounds: bounds(triangle), node: 0 }).collect();
         let bvh = Bvh::build_with_executor(&mut shapes, rayon_executor);
         let nodes = bvh.nodes.iter().map(copied).collect();
-        Self {
-            triangles,
-            instances,
-            nodes,
-        }
+        Self { triangles, instances, nodes }
     }
 
     /// Number of triangles with an area.
@@ -133,10 +121,7 @@ impl Tracer {
                 Node::Leaf { triangle } => {
                     let hit = self.triangles[*triangle as usize].hit(origin, direction);
                     if let Some(distance) = hit.filter(|distance| *distance >= start && *distance < limit) {
-                        best = Some(Hit {
-                            distance,
-                            triangle: *triangle,
-                        });
+                        best = Some(Hit { distance, triangle: *triangle });
                     }
                 }
                 Node::Inner { children, boxes } => {
@@ -193,16 +178,8 @@ fn copied(node: &BvhNode<f64, 3>) -> Node {
         max: DVec3::new(bounds.max.x, bounds.max.y, bounds.max.z),
     };
     match node {
-        BvhNode::Leaf { shape_index, .. } => Node::Leaf {
-            triangle: *shape_index as u32,
-        },
-        BvhNode::Node {
-            child_l_index,
-            child_l_aabb,
-            child_r_index,
-            child_r_aabb,
-            ..
-        } => Node::Inner {
+        BvhNode::Leaf { shape_index, .. } => Node::Leaf { triangle: *shape_index as u32 },
+        BvhNode::Node { child_l_index, child_l_aabb, child_r_index, child_r_aabb, .. } => Node::Inner {
             children: [*child_l_index as u32, *child_r_index as u32],
             boxes: [slab(child_l_aabb), slab(child_r_aabb)],
         },
@@ -232,14 +209,9 @@ impl BHShape<f64, 3> for Shape {
 }
 
 fn bounds(triangle: &Triangle) -> Aabb<f64, 3> {
-    let corners = [
-        triangle.corner,
-        triangle.corner + triangle.edges[0],
-        triangle.corner + triangle.edges[1],
-    ];
-    let (min, max) = corners.iter().fold((corners[0], corners[0]), |(min, max), c| {
-        (min.min(*c), max.max(*c))
-    });
+    let corners = [triangle.corner, triangle.corner + triangle.edges[0], triangle.corner + triangle.edges[1]];
+    let (min, max) =
+        corners.iter().fold((corners[0], corners[0]), |(min, max), c| (min.min(*c), max.max(*c)));
     // The far corners are sums again: widen by their rounding.
     let slack = DVec3::splat(4.0 * f64::EPSILON * min.abs().max(max.abs()).max_element());
     let (min, max) = (min - slack, max + slack);
@@ -251,13 +223,8 @@ impl Tracer {
     /// [`Self::nearest`] without the hierarchy.
     pub(super) fn nearest_tried(&self, origin: DVec3, direction: DVec3, start: f64) -> Option<Hit> {
         let hits = self.triangles.iter().enumerate().filter_map(|(index, triangle)| {
-            let distance = triangle
-                .hit(origin, direction)
-                .filter(|distance| *distance >= start)?;
-            Some(Hit {
-                distance,
-                triangle: index as u32,
-            })
+            let distance = triangle.hit(origin, direction).filter(|distance| *distance >= start)?;
+            Some(Hit { distance, triangle: index as u32 })
         });
         hits.min_by(|one, two| one.distance.total_cmp(&two.distance))
     }
@@ -265,10 +232,7 @@ impl Tracer {
     /// [`Self::blocked`] without the hierarchy.
     pub(super) fn blocked_tried(&self, origin: DVec3, direction: DVec3, start: f64, except: u32) -> bool {
         self.triangles.iter().enumerate().any(|(index, triangle)| {
-            index as u32 != except
-                && triangle
-                    .hit(origin, direction)
-                    .is_some_and(|distance| distance > start)
+            index as u32 != except && triangle.hit(origin, direction).is_some_and(|distance| distance > start)
         })
     }
 }

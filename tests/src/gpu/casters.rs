@@ -42,6 +42,21 @@ impl Geometry {
         }
     }
 
+    /// A level square around the origin, cut into squares as engines cut terrain: a single triangle that spans a
+    /// kilometre leaves f32 rasterisers little precision below the eye.
+    pub fn ground(half: f32, cells: u32) -> Self {
+        let corner = |index: u32| index as f32 * (2.0 * half / cells as f32) - half;
+        let row = cells + 1;
+        let quad = |cell: u32| {
+            let first = cell / cells * row + cell % cells;
+            [first, first + row, first + row + 1, first, first + row + 1, first + 1]
+        };
+        Self {
+            positions: (0..row * row).map(|index| [corner(index % row), 0.0, corner(index / row)]).collect(),
+            indices: (0..cells * cells).flat_map(quad).collect(),
+        }
+    }
+
     /// An axis-aligned box, twelve triangles.
     pub fn cuboid(min: [f32; 3], max: [f32; 3]) -> Self {
         let corner = |index: usize| {

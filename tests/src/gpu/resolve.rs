@@ -20,7 +20,7 @@ pub struct Visible {
 }
 
 impl Visible {
-    /// Casts a ray through every pixel's centre.
+    /// Casts a ray through every pixel's centre; beyond the far plane there is sky.
     pub fn new(view: &View, triangles: &[[DVec3; 3]]) -> Self {
         let (width, height) = view.size_pixels;
         let centre = |pixel: u32| (f64::from(pixel % width) + 0.5, f64::from(pixel / width) + 0.5);
@@ -30,7 +30,8 @@ impl Visible {
                 view.ray_world(x, y)
             })
             .collect();
-        let hits = rays.iter().map(|ray| hit(triangles, *ray)).collect();
+        let drawn = |hit: &Hit| (view.near_metres..view.far_metres).contains(&hit.along);
+        let hits = rays.iter().map(|ray| hit(triangles, *ray).filter(drawn)).collect();
         Self { size: view.size_pixels, hits, rays }
     }
 

@@ -32,7 +32,7 @@ impl Yard {
     /// The scene; always the same.
     pub fn new() -> Self {
         let geometries = vec![
-            Geometry::quad([-500.0, 0.0, -500.0], [1000.0, 0.0, 0.0], [0.0, 0.0, 1000.0]),
+            Geometry::ground(500.0, 16),
             Geometry::cuboid([-0.5, 0.0, -0.5], [0.5, 1.0, 0.5]),
             Geometry::triangle([[-3.0, 0.0, 0.0], [4.0, 1.0, 0.5], [0.0, 5.0, -2.0]]),
         ];

@@ -66,13 +66,7 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
 }
 
 fn map_spec(map: &MapSpec) -> TokenStream {
-    let MapSpec {
-        width,
-        height,
-        columns,
-        format,
-        gutter,
-    } = *map;
+    let MapSpec { width, height, columns, format, gutter } = *map;
     let (width, height) = (number(width), number(height));
     let (columns, gutter) = (option(columns.map(number)), option(gutter.map(number)));
     let format = variant("DepthFormat", &format);

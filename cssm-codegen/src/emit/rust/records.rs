@@ -8,11 +8,7 @@ use super::doc;
 
 /// All structs of a table, each with its asserts.
 pub(super) fn structs(table: &CaseTable, crate_path: &syn::Path) -> TokenStream {
-    table
-        .records
-        .iter()
-        .map(|record| structure(table, record, crate_path))
-        .collect()
+    table.records.iter().map(|record| structure(table, record, crate_path)).collect()
 }
 
 fn structure(table: &CaseTable, record: &Record, crate_path: &syn::Path) -> TokenStream {
@@ -74,9 +70,7 @@ fn field_type(table: &CaseTable, field: &RecordField) -> TokenStream {
         FieldType::Vec2 => quote!([f32; 2]),
         FieldType::Vec4 => quote!([f32; 4]),
         FieldType::Facet => {
-            let facet = table
-                .record(RecordKind::Facet)
-                .map_or("f32", |record| &*record.name);
+            let facet = table.record(RecordKind::Facet).map_or("f32", |record| &*record.name);
             let facet = Ident::new(facet, Span::call_site());
             quote!(#facet)
         }
@@ -96,9 +90,7 @@ fn size(table: &CaseTable, field: &RecordField) -> u32 {
         FieldType::F32 => 4,
         FieldType::Vec2 => 8,
         FieldType::Vec4 => 16,
-        FieldType::Facet => table
-            .record(RecordKind::Facet)
-            .map_or(0, |record| record.size_bytes),
+        FieldType::Facet => table.record(RecordKind::Facet).map_or(0, |record| record.size_bytes),
     };
     element * field.elements.max(1)
 }

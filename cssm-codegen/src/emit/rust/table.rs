@@ -164,22 +164,12 @@ fn groups(table: &CaseTable) -> TokenStream {
 }
 
 fn bindings_name(group: &BindGroup) -> Ident {
-    format_ident!(
-        "{}_GROUP_{}",
-        group.shader.name().to_ascii_uppercase(),
-        group.group
-    )
+    format_ident!("{}_GROUP_{}", group.shader.name().to_ascii_uppercase(), group.group)
 }
 
 fn passes(table: &CaseTable) -> TokenStream {
     let passes = table.passes.iter().map(|pass| {
-        let Pass {
-            shader,
-            vertex,
-            fragment,
-            reads,
-            writes,
-        } = pass;
+        let Pass { shader, vertex, fragment, reads, writes } = pass;
         let shader = variant("ShaderKind", shader);
         let fragment = match fragment {
             Some(fragment) => quote!(Some(Cow::Borrowed(#fragment))),
@@ -212,9 +202,7 @@ fn shaders(table: &CaseTable) -> TokenStream {
 }
 
 fn hexadecimal(value: u64) -> Literal {
-    format!("{value:#018x}")
-        .parse()
-        .unwrap_or_else(|_| Literal::u64_unsuffixed(value))
+    format!("{value:#018x}").parse().unwrap_or_else(|_| Literal::u64_unsuffixed(value))
 }
 
 fn resources(resources: &[Resource]) -> TokenStream {
@@ -224,10 +212,7 @@ fn resources(resources: &[Resource]) -> TokenStream {
 
 fn binding_kind(kind: BindingKind) -> TokenStream {
     match kind {
-        BindingKind::Uniform {
-            record,
-            dynamic_offset,
-        } => {
+        BindingKind::Uniform { record, dynamic_offset } => {
             let record = variant("RecordKind", &record);
             quote!(BindingKind::Uniform { record: #record, dynamic_offset: #dynamic_offset })
         }

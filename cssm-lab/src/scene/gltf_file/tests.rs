@@ -34,18 +34,13 @@ fn parsed(edit: impl Fn(&mut serde_json::Value)) -> Result<Scene, SceneFileError
 }
 
 fn message(edit: impl Fn(&mut serde_json::Value)) -> String {
-    parsed(edit)
-        .expect_err("the document must be refused")
-        .to_string()
+    parsed(edit).expect_err("the document must be refused").to_string()
 }
 
 #[test]
 fn nodes_place_their_mesh() {
     let scene = parsed(|_| {}).unwrap();
-    assert_eq!(
-        (scene.meshes.len(), scene.instances.len(), scene.triangles()),
-        (1, 3, 3)
-    );
+    assert_eq!((scene.meshes.len(), scene.instances.len(), scene.triangles()), (1, 3, 3));
     let bounds = scene.bounds_world().unwrap();
     assert_eq!((bounds.min, bounds.max), (DVec3::ZERO, DVec3::new(7.0, 2.0, 0.0)));
     assert_eq!(scene.views.len(), 3);
@@ -91,45 +86,24 @@ fn unsupported_required_extensions_are_named() {
         json["extensionsRequired"] =
             serde_json::json!(["KHR_draco_mesh_compression", "EXT_meshopt_compression"]);
     });
-    assert!(
-        text.contains("KHR_draco_mesh_compression, EXT_meshopt_compression"),
-        "{text}"
-    );
+    assert!(text.contains("KHR_draco_mesh_compression, EXT_meshopt_compression"), "{text}");
 }
 
 #[test]
 fn broken_documents_are_typed_errors() {
     let cases: [(&str, fn(&mut serde_json::Value)); 10] = [
-        ("made of lines", |json| {
-            json["meshes"][0]["primitives"][0]["mode"] = 1.into()
-        }),
-        ("made of points", |json| {
-            json["meshes"][0]["primitives"][0]["mode"] = 0.into()
-        }),
+        ("made of lines", |json| json["meshes"][0]["primitives"][0]["mode"] = 1.into()),
+        ("made of points", |json| json["meshes"][0]["primitives"][0]["mode"] = 0.into()),
         ("has no POSITION", |json| {
             json["meshes"][0]["primitives"][0]["attributes"] = serde_json::json!({ "NORMAL": 0 });
         }),
-        ("reads past the end", |json| {
-            json["accessors"][0]["count"] = 4_000_000_000_u32.into()
-        }),
-        ("leaves the buffer", |json| {
-            json["bufferViews"][0]["byteOffset"] = 4_000_000_000_u32.into()
-        }),
-        ("holds 42 bytes of 43", |json| {
-            json["buffers"][0]["byteLength"] = 43.into()
-        }),
-        ("not base64", |json| {
-            json["buffers"][0]["uri"] = "data:,hello".into()
-        }),
-        ("made-up.bin", |json| {
-            json["buffers"][0]["uri"] = "made%2Dup.bin".into()
-        }),
-        ("contains itself", |json| {
-            json["nodes"][2]["children"] = serde_json::json!([1])
-        }),
-        ("holds no triangles", |json| {
-            json["nodes"] = serde_json::json!([{}, {}])
-        }),
+        ("reads past the end", |json| json["accessors"][0]["count"] = 4_000_000_000_u32.into()),
+        ("leaves the buffer", |json| json["bufferViews"][0]["byteOffset"] = 4_000_000_000_u32.into()),
+        ("holds 42 bytes of 43", |json| json["buffers"][0]["byteLength"] = 43.into()),
+        ("not base64", |json| json["buffers"][0]["uri"] = "data:,hello".into()),
+        ("made-up.bin", |json| json["buffers"][0]["uri"] = "made%2Dup.bin".into()),
+        ("contains itself", |json| json["nodes"][2]["children"] = serde_json::json!([1])),
+        ("holds no triangles", |json| json["nodes"] = serde_json::json!([{}, {}])),
     ];
     for (expected, edit) in cases {
         let text = message(edit);
@@ -141,26 +115,16 @@ fn broken_documents_are_typed_errors() {
 fn hostile_bytes_do_not_panic() {
     let good = document(|_| {});
     for length in 0..good.len() {
-        assert!(
-            parse(&good[..length], Path::new("cut.gltf"), String::new()).is_err(),
-            "cut at {length}"
-        );
+        assert!(parse(&good[..length], Path::new("cut.gltf"), String::new()).is_err(), "cut at {length}");
     }
     assert!(
-        parse(
-            b"glTF\x02\0\0\0\xff\xff\xff\xff\xff\xff\xff\xffJSON",
-            Path::new("cut.glb"),
-            String::new()
-        )
-        .is_err()
+        parse(b"glTF\x02\0\0\0\xff\xff\xff\xff\xff\xff\xff\xffJSON", Path::new("cut.glb"), String::new())
+            .is_err()
     );
 }
 
 #[test]
 fn other_names_are_refused_with_the_remedy() {
     let text = Scene::load("forest").expect_err("no such scene").to_string();
-    assert_eq!(
-        text,
-        "there is no scene forest; name palm, city, or a .gltf or .glb file"
-    );
+    assert_eq!(text, "there is no scene forest; name palm, city, or a .gltf or .glb file");
 }

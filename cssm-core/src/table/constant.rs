@@ -1,0 +1,76 @@
+//! Numbers that shaders are specialised for: all that depends on the declaration but is no layout.
+
+use std::borrow::Cow;
+
+/// A number that the shaders are specialised for; a shader declares those it uses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Constant {
+    /// What it is.
+    pub kind: ConstantKind,
+    /// Shader name, prefix included: `SUN_MAP_SIZE`.
+    pub name: Cow<'static, str>,
+    /// Its value.
+    pub value: ConstantValue,
+}
+
+/// The constants a case can have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ConstantKind {
+    /// Width and height of the map in texels.
+    MapSize,
+    /// Sectors around the eye.
+    Sectors,
+    /// Bands in each sector.
+    Bands,
+    /// Vectors of four thresholds in each sector.
+    ThresholdVectors,
+    /// Bias `constant`: metres along the light.
+    BiasMetres,
+    /// Bias `slope`: multiple of the local texel.
+    BiasTexels,
+    /// Bias `world_texel`: metres along the light.
+    BiasAMetres,
+    /// Bias `world_texel`: multiple of the local texel.
+    BiasBTexels,
+}
+
+impl ConstantKind {
+    /// Name in the shader library, without a prefix.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MapSize => "MAP_SIZE",
+            Self::Sectors => "SECTORS",
+            Self::Bands => "BANDS",
+            Self::ThresholdVectors => "THRESHOLD_VECTORS",
+            Self::BiasMetres => "BIAS_METRES",
+            Self::BiasTexels => "BIAS_TEXELS",
+            Self::BiasAMetres => "BIAS_A_METRES",
+            Self::BiasBTexels => "BIAS_B_TEXELS",
+        }
+    }
+
+    /// One sentence for the comments of shaders and tables.
+    pub const fn summary(self) -> &'static str {
+        match self {
+            Self::MapSize => "Width and height of the map in texels.",
+            Self::Sectors => "Sectors around the eye.",
+            Self::Bands => "Bands of distance in each sector.",
+            Self::ThresholdVectors => "Vectors of four band limits in each sector.",
+            Self::BiasMetres => "Bias along the light in metres.",
+            Self::BiasTexels => "Bias as a multiple of the local texel and the tangent of the light's angle.",
+            Self::BiasAMetres => "Constant part of the bias, metres along the light.",
+            Self::BiasBTexels => "Part of the bias that scales with the local texel, in texels.",
+        }
+    }
+}
+
+/// Value of a constant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ConstantValue {
+    /// `u32`
+    U32(u32),
+    /// `f32`
+    F32(f32),
+    /// `vec2<f32>`
+    Vec2([f32; 2]),
+}

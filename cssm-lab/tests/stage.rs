@@ -1,0 +1,92 @@
+//! Cases on a stage: right ones score well, wrong ones are caught.
+
+use std::path::Path;
+
+use cssm_core::glam::DVec3;
+use cssm_core::{Light, LightCase, ShadowPlan, View, plan};
+use cssm_lab::case_file::pick_case;
+use cssm_lab::convergence::convergence;
+use cssm_lab::gpu::{Gpu, ResolveMethod};
+use cssm_lab::progress::Progress;
+use cssm_lab::scene::Scene;
+use cssm_lab::score::Score;
+use cssm_lab::stage::{Stage, StageOptions};
+use cssm_lab::truth::Tracer;
+
+const SIZE: (u32, u32) = (320, 180);
+
+fn sun() -> LightCase {
+    let text =
+        "pub case Sun { map: { size: 1024 x 1024 }, resolve: [mask, function { group: 0 }], prefix: sun }";
+    pick_case(Path::new("sun.cssm"), text, None).unwrap()
+}
+
+/// Sets the palm stage on a device of its own.
+fn on_stage(act: impl FnOnce(&Stage<'_>)) {
+    let scene = Scene::palm();
+    let spot = scene.views[0];
+    let view = View::perspective(spot.eye_world, spot.target_world, DVec3::Y, 1.0, 0.2, f64::INFINITY, SIZE)
+        .unwrap();
+    let light = Light::directional_travelling(spot.light_travels).unwrap();
+    let gpu = Gpu::open(&[&sun()], SIZE).unwrap();
+    let options = StageOptions { supersample: true, progress: Progress::Hidden };
+    act(&Stage::new(&gpu, &scene, &Tracer::new(&scene), view, light, options).unwrap());
+}
+
+fn planned(stage: &Stage<'_>, case: &LightCase) -> ShadowPlan {
+    plan(case, &stage.view, &stage.light, &stage.bounds).unwrap()
+}
+
+fn score(stage: &Stage<'_>, case: &LightCase, plan: ShadowPlan, method: ResolveMethod) -> Score {
+    stage.attempt_with_plan(case, plan, method).unwrap().outcome().unwrap().score
+}
+
+fn interior(score: &Score) -> f64 {
+    score.leak.interior + score.acne.interior
+}
+
+#[test]
+fn a_right_plan_scores_well_and_wrong_ones_are_caught() {
+    on_stage(|stage| {
+        let case = sun();
+        let right = planned(stage, &case);
+        for method in [ResolveMethod::Function, ResolveMethod::Mask] {
+            let score = score(stage, &case, right.clone(), method);
+            assert!(score.mismatch < 0.05, "{method:?}: {}", score.mismatch);
+            assert!(interior(&score) <= 5e-5, "{method:?}: {} interior", interior(&score));
+            assert!(score.shadowed > 0.04 && score.true_edge_pixels > 1000, "{score:?}");
+        }
+        let good = score(stage, &case, right.clone(), ResolveMethod::Function);
+
+        // Lift the bias by a hundredth of the depth range: shadows near their casters leak.
+        let mut biased = right.clone();
+        biased.facets.iter_mut().for_each(|facet| facet.receiver_plane_depth += 0.01);
+        let leaking = score(stage, &case, biased, ResolveMethod::Function);
+        assert!(leaking.leak.total > 2.0 * good.leak.total, "{:?} after {:?}", leaking.leak, good.leak);
+
+        // Lower it by as much: lit surfaces shadow themselves.
+        let mut sunk = right.clone();
+        sunk.facets.iter_mut().for_each(|facet| facet.receiver_plane_depth -= 0.01);
+        assert!(score(stage, &case, sunk, ResolveMethod::Function).acne.interior > 0.01);
+
+        // Swap the thresholds of the walk against the facets: receivers ask the wrong tiles.
+        let mut swapped = right.clone();
+        let last = swapped.facets.len() - 1;
+        for near in 0..swapped.facets.len() / 2 {
+            let (one, other) = (swapped.facets[near].index, swapped.facets[last - near].index);
+            (swapped.facets[near].index, swapped.facets[last - near].index) = (other, one);
+        }
+        let swapped = score(stage, &case, swapped, ResolveMethod::Function);
+        assert!(swapped.mismatch > 2.0 * good.mismatch, "{} after {}", swapped.mismatch, good.mismatch);
+    });
+}
+
+#[test]
+fn errors_shrink_as_the_map_grows() {
+    on_stage(|stage| {
+        let found = convergence(stage, &sun(), ResolveMethod::Function, &[256, 512, 1024]).unwrap();
+        let mismatches: Vec<f64> = found.levels.iter().map(|level| level.score.mismatch).collect();
+        assert!(mismatches.is_sorted_by(|coarse, fine| coarse > fine), "{mismatches:?}");
+        assert!(found.interior <= 1e-4, "{}", found.interior);
+    });
+}

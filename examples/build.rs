@@ -1,5 +1,6 @@
 //! Compiles `valley.cssm` for the example `build_script_tables`.
 
 fn main() -> Result<(), cssm::build::BuildError> {
-    cssm::build::Build::new().file("valley.cssm").compile()
+    cssm::build::Build::new().file("valley.cssm").compile()?;
+    Ok(())
 }

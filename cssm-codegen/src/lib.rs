@@ -68,9 +68,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self {
-            crate_path: emit::rust::DEFAULT_CRATE_PATH.to_owned(),
-        }
+        Self { crate_path: emit::rust::DEFAULT_CRATE_PATH.to_owned() }
     }
 }
 
@@ -93,12 +91,7 @@ pub fn generate_with(case: &LightCase, options: &Options) -> Result<Generated, G
     let rust = emit::rust::text(case, &table, module)?;
     let json = emit::json::text(case, &table);
     let explain = emit::explain::text(case, &table);
-    Ok(Generated {
-        table,
-        rust,
-        json,
-        explain,
-    })
+    Ok(Generated { table, rust, json, explain })
 }
 
 /// Generates several cases that are to stand side by side.

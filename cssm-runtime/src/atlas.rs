@@ -40,16 +40,9 @@ impl Atlas {
             compare: Some(wgpu::CompareFunction::LessEqual),
             ..Default::default()
         });
-        let gather = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("cssm gather"),
-            ..Default::default()
-        });
-        Self {
-            texture,
-            view,
-            comparison,
-            gather,
-        }
+        let gather = device
+            .create_sampler(&wgpu::SamplerDescriptor { label: Some("cssm gather"), ..Default::default() });
+        Self { texture, view, comparison, gather }
     }
 
     /// What to bind for the map or one of its samplers.

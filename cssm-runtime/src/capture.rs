@@ -64,13 +64,7 @@ impl CapturePipelines {
         };
 
         // Create the most common one now, so that faulty shaders are refused here and not at the first mesh.
-        pipelines.handle(
-            device,
-            VertexKey {
-                format: wgpu::VertexFormat::Float32x3,
-                stride_bytes: 12,
-            },
-        )?;
+        pipelines.handle(device, VertexKey { format: wgpu::VertexFormat::Float32x3, stride_bytes: 12 })?;
         Ok(pipelines)
     }
 
@@ -106,11 +100,7 @@ impl CapturePipelines {
         let positions = wgpu::VertexBufferLayout {
             array_stride: u64::from(key.stride_bytes),
             step_mode: wgpu::VertexStepMode::Vertex,
-            attributes: &[wgpu::VertexAttribute {
-                format: key.format,
-                offset: 0,
-                shader_location: 0,
-            }],
+            attributes: &[wgpu::VertexAttribute { format: key.format, offset: 0, shader_location: 0 }],
         };
         let rows = wgpu::VertexBufferLayout {
             array_stride: InstanceRows::BYTES,
@@ -204,18 +194,10 @@ impl CapturePipelines {
                         mesh.bind(&mut pass, POSITION_SLOT);
                     }
                 }
-                Command::Draw {
-                    corners,
-                    indexed: true,
-                    instances,
-                } => {
+                Command::Draw { corners, indexed: true, instances } => {
                     pass.draw_indexed(0..*corners, 0, instances.clone());
                 }
-                Command::Draw {
-                    corners,
-                    indexed: false,
-                    instances,
-                } => {
+                Command::Draw { corners, indexed: false, instances } => {
                     pass.draw(0..*corners, instances.clone());
                 }
             }
@@ -230,13 +212,6 @@ pub(crate) fn capture_shader(
     clamped: bool,
 ) -> Result<ShaderKind, ServiceError> {
     let unclipped = device.features().contains(wgpu::Features::DEPTH_CLIP_CONTROL);
-    let preferred = if unclipped && !clamped {
-        ShaderKind::Capture
-    } else {
-        ShaderKind::CaptureClamped
-    };
-    table
-        .pass(preferred)
-        .map(|pass| pass.shader)
-        .ok_or_else(|| incomplete(table, "capture pass"))
+    let preferred = if unclipped && !clamped { ShaderKind::Capture } else { ShaderKind::CaptureClamped };
+    table.pass(preferred).map(|pass| pass.shader).ok_or_else(|| incomplete(table, "capture pass"))
 }

@@ -125,10 +125,7 @@ impl FrameCommands {
 
         // List each facet's draws.
         let mut frame = Self::default();
-        let mut statistics = FrameStatistics {
-            casters: instances.len() as u32,
-            ..Default::default()
-        };
+        let mut statistics = FrameStatistics { casters: instances.len() as u32, ..Default::default() };
         let mut bound = None;
         for (position, facet) in plan.facets.iter().enumerate() {
             let counts = frame.draw_facet(FacetHandle(position as u32), facet, &casters, &mut bound)?;
@@ -156,16 +153,11 @@ impl FrameCommands {
         casters: &[Caster],
         bound: &mut Option<(PipelineHandle, MeshHandle)>,
     ) -> Result<FacetStatistics, ServiceError> {
-        let mut counts = FacetStatistics {
-            facet: facet.index,
-            ..Default::default()
-        };
+        let mut counts = FacetStatistics { facet: facet.index, ..Default::default() };
         for group in casters.chunk_by(|one, other| one.mesh == other.mesh) {
             // Keep the instances whose shadow can reach something visible here.
             let start = self.rows.len();
-            let reaching = group
-                .iter()
-                .filter(|caster| facet.reached_by(&caster.box_from_eye));
+            let reaching = group.iter().filter(|caster| facet.reached_by(&caster.box_from_eye));
             self.rows.extend(reaching.map(|caster| caster.rows));
             if self.rows.len() == start {
                 continue;
@@ -177,10 +169,7 @@ impl FrameCommands {
             // Bind only what differs from the previous draw.
             let (mesh, facts) = (group[0].mesh, group[0].facts);
             if counts.draws == 0 {
-                self.commands.push(Command::Facet {
-                    facet: handle,
-                    tile: facet.tile,
-                });
+                self.commands.push(Command::Facet { facet: handle, tile: facet.tile });
             }
             if bound.is_none_or(|(pipeline, _)| pipeline != facts.pipeline) {
                 self.commands.push(Command::Pipeline(facts.pipeline));
@@ -194,11 +183,7 @@ impl FrameCommands {
             counts.draws += 1;
             counts.instances += u64::from(instances.end - instances.start);
             counts.triangles += u64::from(instances.end - instances.start) * u64::from(facts.corners / 3);
-            self.commands.push(Command::Draw {
-                corners: facts.corners,
-                indexed: facts.indexed,
-                instances,
-            });
+            self.commands.push(Command::Draw { corners: facts.corners, indexed: facts.indexed, instances });
         }
         Ok(counts)
     }
@@ -218,12 +203,7 @@ impl Caster {
         if !(box_from_eye.min.is_finite() && box_from_eye.max.is_finite()) {
             return Err(ServiceError::Transform { instance: number });
         }
-        Ok(Self {
-            mesh: instance.mesh,
-            facts,
-            rows,
-            box_from_eye,
-        })
+        Ok(Self { mesh: instance.mesh, facts, rows, box_from_eye })
     }
 }
 

@@ -17,26 +17,18 @@ impl InstanceRows {
         let (matrix, shift) = (eye_from_object.matrix3, eye_from_object.translation);
         let row = |index: usize| matrix.row(index).extend(shift[index]).as_vec4();
         let rows = [row(0), row(1), row(2)];
-        rows.iter()
-            .all(|row| row.is_finite())
-            .then(|| Self(rows.map(|row| row.to_array())))
+        rows.iter().all(|row| row.is_finite()).then(|| Self(rows.map(|row| row.to_array())))
     }
 }
 
 /// The transform with the eye at the origin.
 pub(crate) fn eye_from_object(world_from_object: &DAffine3, eye_world: DVec3) -> DAffine3 {
-    DAffine3 {
-        matrix3: world_from_object.matrix3,
-        translation: world_from_object.translation - eye_world,
-    }
+    DAffine3 { matrix3: world_from_object.matrix3, translation: world_from_object.translation - eye_world }
 }
 
 /// The smallest box of world axes around a transformed box.
 pub(crate) fn box_from_eye(eye_from_object: &DAffine3, bounds_object: &BoundingBox) -> BoundingBox {
     let centre = eye_from_object.transform_point3((bounds_object.min + bounds_object.max) * 0.5);
     let half = eye_from_object.matrix3.abs() * ((bounds_object.max - bounds_object.min) * 0.5);
-    BoundingBox {
-        min: centre - half,
-        max: centre + half,
-    }
+    BoundingBox { min: centre - half, max: centre + half }
 }

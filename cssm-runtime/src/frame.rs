@@ -64,12 +64,7 @@ impl UniformLayout {
         let shadow_offset = facet_stride * u64::from(table.facets());
         let mask_offset = shadow_offset + align(bytes(RecordKind::Shadow));
         let size = mask_offset + align(bytes(RecordKind::Mask)).max(16);
-        Self {
-            facet_stride,
-            shadow_offset,
-            mask_offset,
-            size,
-        }
+        Self { facet_stride, shadow_offset, mask_offset, size }
     }
 }
 
@@ -111,19 +106,12 @@ impl SlotPool {
     ) -> Result<Arc<Slot>, ServiceError> {
         // Size instance buffers in powers of two, so that growing scenes settle.
         let limit = device.limits().max_buffer_size;
-        let needed = (rows as u64)
-            .checked_mul(InstanceRows::BYTES)
-            .filter(|bytes| *bytes <= limit);
+        let needed = (rows as u64).checked_mul(InstanceRows::BYTES).filter(|bytes| *bytes <= limit);
         let needed = needed.ok_or(ServiceError::TooManyInstances { rows })?;
-        let size = needed
-            .max(MIN_INSTANCE_BYTES)
-            .next_power_of_two()
-            .min(limit)
-            .max(needed);
+        let size = needed.max(MIN_INSTANCE_BYTES).next_power_of_two().min(limit).max(needed);
 
         // Take a free slot, large ones first; the pool holds the only reference to a free one.
-        self.slots
-            .sort_by_key(|slot| std::cmp::Reverse(slot.instances.size()));
+        self.slots.sort_by_key(|slot| std::cmp::Reverse(slot.instances.size()));
         for slot in &mut self.slots {
             let Some(free) = Arc::get_mut(slot) else { continue };
             if free.instances.size() < needed {
@@ -161,9 +149,7 @@ impl Slot {
                 mapped_at_creation: false,
             })
         })?;
-        let instances = checked(device, "an instance buffer", || {
-            instance_buffer(device, instance_bytes)
-        })?;
+        let instances = checked(device, "an instance buffer", || instance_buffer(device, instance_bytes))?;
         let capture_group = checked(device, "a capture bind group", || {
             bind_group(device, &layouts.capture, capture, |kind| match kind {
                 BindingKind::Uniform { record, .. } => Some(uniform(&uniforms, table, record, 0)),
@@ -181,12 +167,7 @@ impl Slot {
             })?),
             _ => None,
         };
-        Ok(Self {
-            uniforms,
-            instances,
-            capture_group,
-            shadow_group,
-        })
+        Ok(Self { uniforms, instances, capture_group, shadow_group })
     }
 }
 

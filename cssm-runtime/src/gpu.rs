@@ -52,17 +52,10 @@ impl Gpu {
         let (capture, shadow) = checked(device, "bind group layouts", || {
             let stages = options.material_stages | wgpu::ShaderStages::FRAGMENT;
             let shadow = shadow_group(table).map(|group| group_layout(device, table, group, stages));
-            (
-                group_layout(device, table, capture_group, wgpu::ShaderStages::VERTEX),
-                shadow,
-            )
+            (group_layout(device, table, capture_group, wgpu::ShaderStages::VERTEX), shadow)
         })?;
         let uniforms = UniformLayout::new(table, limits.min_uniform_buffer_offset_alignment);
-        let layouts = SlotLayouts {
-            capture,
-            shadow,
-            uniforms,
-        };
+        let layouts = SlotLayouts { capture, shadow, uniforms };
 
         let atlas = checked(device, "the map", || Atlas::new(device, table))?;
         let capture = CapturePipelines::new(device, table, shader, &layouts.capture)?;
@@ -78,19 +71,11 @@ impl Gpu {
             probe,
             identity: Arc::new(()),
         };
-        if gpu.probe.device_lost(device) {
-            Err(ServiceError::DeviceLost)
-        } else {
-            Ok(gpu)
-        }
+        if gpu.probe.device_lost(device) { Err(ServiceError::DeviceLost) } else { Ok(gpu) }
     }
 
     /// A lost device accepts some calls, refuses others for odd reasons and does nothing: ask it before believing.
     pub(crate) fn alive<T>(&self, outcome: Result<T, ServiceError>) -> Result<T, ServiceError> {
-        if self.probe.device_lost(&self.device) {
-            Err(ServiceError::DeviceLost)
-        } else {
-            outcome
-        }
+        if self.probe.device_lost(&self.device) { Err(ServiceError::DeviceLost) } else { outcome }
     }
 }

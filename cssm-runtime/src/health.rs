@@ -32,10 +32,7 @@ impl HealthProbe {
             usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        Self {
-            buffer: Mutex::new(buffer),
-            verdict: Arc::default(),
-        }
+        Self { buffer: Mutex::new(buffer), verdict: Arc::default() }
     }
 
     /// Whether the device is lost. Natively a lost device refuses the mapping before `map_async` returns; in a

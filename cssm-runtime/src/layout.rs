@@ -24,10 +24,8 @@ pub(crate) fn group_layout(
         })
         .collect();
     let label = format!("{} {}", table.prefix, group.content.label());
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some(&label),
-        entries: &entries,
-    })
+    device
+        .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(&label), entries: &entries })
 }
 
 /// A bind group of a table's group; `resource` finds what to bind.
@@ -41,26 +39,16 @@ pub(crate) fn bind_group<'a>(
         .bindings
         .iter()
         .filter_map(|binding| {
-            Some(wgpu::BindGroupEntry {
-                binding: binding.binding,
-                resource: resource(binding.kind)?,
-            })
+            Some(wgpu::BindGroupEntry { binding: binding.binding, resource: resource(binding.kind)? })
         })
         .collect();
     let label = Some(group.content.label());
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label,
-        layout,
-        entries: &entries,
-    })
+    device.create_bind_group(&wgpu::BindGroupDescriptor { label, layout, entries: &entries })
 }
 
 /// The group that holds the plan and the map, whichever shader uses it: equal contents have equal layouts.
 pub(crate) fn shadow_group(table: &CaseTable) -> Option<&BindGroup> {
-    table
-        .groups
-        .iter()
-        .find(|group| group.content == GroupContent::Shadow)
+    table.groups.iter().find(|group| group.content == GroupContent::Shadow)
 }
 
 /// A group that the table must have.
@@ -69,16 +57,12 @@ pub(crate) fn required_group(
     shader: ShaderKind,
     content: GroupContent,
 ) -> Result<&BindGroup, ServiceError> {
-    table
-        .group(shader, content)
-        .ok_or_else(|| incomplete(table, "bind group of a pass"))
+    table.group(shader, content).ok_or_else(|| incomplete(table, "bind group of a pass"))
 }
 
 /// A pass that the table must have.
 pub(crate) fn required_pass(table: &CaseTable, shader: ShaderKind) -> Result<&Pass, ServiceError> {
-    table
-        .pass(shader)
-        .ok_or_else(|| incomplete(table, "capture pass"))
+    table.pass(shader).ok_or_else(|| incomplete(table, "capture pass"))
 }
 
 /// The module of a shader that the table must have.
@@ -103,10 +87,7 @@ pub(crate) fn record_bytes(table: &CaseTable, kind: RecordKind) -> u32 {
 }
 
 pub(crate) fn incomplete(table: &CaseTable, what: &'static str) -> ServiceError {
-    ServiceError::IncompleteTable {
-        case: table.case.to_string(),
-        what,
-    }
+    ServiceError::IncompleteTable { case: table.case.to_string(), what }
 }
 
 fn binding_type(table: &CaseTable, kind: BindingKind) -> wgpu::BindingType {
@@ -116,10 +97,7 @@ fn binding_type(table: &CaseTable, kind: BindingKind) -> wgpu::BindingType {
         multisampled: false,
     };
     match kind {
-        BindingKind::Uniform {
-            record,
-            dynamic_offset,
-        } => wgpu::BindingType::Buffer {
+        BindingKind::Uniform { record, dynamic_offset } => wgpu::BindingType::Buffer {
             ty: wgpu::BufferBindingType::Uniform,
             has_dynamic_offset: dynamic_offset,
             min_binding_size: NonZeroU64::new(u64::from(record_bytes(table, record))),

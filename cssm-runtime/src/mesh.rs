@@ -150,10 +150,7 @@ impl Mesh {
         let indices = description.indices.as_ref().map(index_range).transpose()?;
 
         // Count triangles and check the box.
-        let corners = description
-            .indices
-            .as_ref()
-            .map_or(description.vertex_count, |indices| indices.count);
+        let corners = description.indices.as_ref().map_or(description.vertex_count, |indices| indices.count);
         if corners == 0 || description.vertex_count == 0 {
             return Err(MeshError::Empty);
         }
@@ -208,11 +205,7 @@ fn vertex_range(
     let fits = u64::from(offset) + position_bytes <= u64::from(stride);
     let limit = limits.max_vertex_buffer_array_stride;
     if !fits || !u64::from(stride).is_multiple_of(wgpu::VERTEX_ALIGNMENT) || stride > limit {
-        return Err(MeshError::Stride {
-            stride_bytes: stride,
-            position_offset_bytes: offset,
-            limit,
-        });
+        return Err(MeshError::Stride { stride_bytes: stride, position_offset_bytes: offset, limit });
     }
     if description.vertex_count == 0 {
         return Err(MeshError::Empty);
@@ -220,9 +213,7 @@ fn vertex_range(
 
     // Bind from the first position to the end of the last one: the pipeline then reads positions at offset 0.
     let length = u64::from(description.vertex_count - 1) * u64::from(stride) + position_bytes;
-    let start = description
-        .vertices_offset_bytes
-        .saturating_add(u64::from(offset));
+    let start = description.vertices_offset_bytes.saturating_add(u64::from(offset));
     let end = start.saturating_add(length);
     if !start.is_multiple_of(wgpu::VERTEX_ALIGNMENT) {
         return Err(MeshError::Alignment {
@@ -244,15 +235,9 @@ fn index_range(indices: &IndexDescription) -> Result<BoundIndices, MeshError> {
     }
     let size = indices.format.byte_size() as u64;
     if !indices.offset_bytes.is_multiple_of(size) {
-        return Err(MeshError::Alignment {
-            what: WHAT,
-            offset_bytes: indices.offset_bytes,
-            alignment: size,
-        });
+        return Err(MeshError::Alignment { what: WHAT, offset_bytes: indices.offset_bytes, alignment: size });
     }
-    let end = indices
-        .offset_bytes
-        .saturating_add(u64::from(indices.count) * size);
+    let end = indices.offset_bytes.saturating_add(u64::from(indices.count) * size);
     in_buffer(indices.buffer, WHAT, wgpu::BufferUsages::INDEX, end)?;
     Ok((indices.buffer.clone(), indices.offset_bytes..end, indices.format))
 }
@@ -267,11 +252,7 @@ fn in_buffer(
         return Err(MeshError::Usage { what, usage });
     }
     if end_bytes > buffer.size() {
-        return Err(MeshError::OutOfRange {
-            what,
-            end_bytes,
-            size_bytes: buffer.size(),
-        });
+        return Err(MeshError::OutOfRange { what, end_bytes, size_bytes: buffer.size() });
     }
     Ok(())
 }

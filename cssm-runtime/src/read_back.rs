@@ -24,9 +24,7 @@ pub fn texture_bytes(
         .format()
         .block_copy_size(Some(aspect))
         .filter(|_| texture.format().block_dimensions() == (1, 1));
-    let texel = texel.ok_or(ServiceError::ReadBack {
-        why: "its format has no texels to copy",
-    })?;
+    let texel = texel.ok_or(ServiceError::ReadBack { why: "its format has no texels to copy" })?;
     let (width, height) = (texture.width(), texture.height());
     let packed = width * texel;
     let padded = packed.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
@@ -41,12 +39,7 @@ pub fn texture_bytes(
         });
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_texture_to_buffer(
-            wgpu::TexelCopyTextureInfo {
-                texture,
-                mip_level: 0,
-                origin: wgpu::Origin3d::ZERO,
-                aspect,
-            },
+            wgpu::TexelCopyTextureInfo { texture, mip_level: 0, origin: wgpu::Origin3d::ZERO, aspect },
             wgpu::TexelCopyBufferInfo {
                 buffer: &buffer,
                 layout: wgpu::TexelCopyBufferLayout {
@@ -55,11 +48,7 @@ pub fn texture_bytes(
                     rows_per_image: None,
                 },
             },
-            wgpu::Extent3d {
-                width,
-                height,
-                depth_or_array_layers: 1,
-            },
+            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
         queue.submit([encoder.finish()]);
         buffer
@@ -67,9 +56,7 @@ pub fn texture_bytes(
 
     // Wait for it and drop the padding.
     let bytes = mapped_bytes(device, &buffer)?;
-    let rows = bytes
-        .chunks_exact(padded as usize)
-        .flat_map(|row| &row[..packed as usize]);
+    let rows = bytes.chunks_exact(padded as usize).flat_map(|row| &row[..packed as usize]);
     Ok(rows.copied().collect())
 }
 
@@ -85,16 +72,12 @@ pub fn mapped_bytes(device: &wgpu::Device, buffer: &wgpu::Buffer) -> Result<Vec<
             let _ = sender.send(result);
         });
     })?;
-    device
-        .poll(wgpu::PollType::wait_indefinitely())
-        .map_err(|_| ServiceError::DeviceLost)?;
+    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|_| ServiceError::DeviceLost)?;
     match receiver.try_recv() {
         Ok(Ok(())) => {}
         _ => return Err(ServiceError::DeviceLost),
     }
     let bytes = buffer.get_mapped_range(..).map(|view| view.to_vec());
     buffer.unmap();
-    bytes.map_err(|_| ServiceError::ReadBack {
-        why: "its copy could not be mapped",
-    })
+    bytes.map_err(|_| ServiceError::ReadBack { why: "its copy could not be mapped" })
 }

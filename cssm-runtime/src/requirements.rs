@@ -36,55 +36,31 @@ pub fn features_and_limits(adapter: &wgpu::Adapter, table: &CaseTable) -> Result
     // Start from what every adapter has and raise what the case exceeds.
     let lowest = wgpu::Limits::downlevel_webgl2_defaults().or_worse_values_from(&offered);
     let side = table.map_width.max(table.map_height);
-    let record = table
-        .records
-        .iter()
-        .map(|record| u64::from(record.size_bytes))
-        .max()
-        .unwrap_or(0);
-    let groups = table
-        .groups
-        .iter()
-        .map(|group| group.group + 1)
-        .max()
-        .unwrap_or(0);
+    let record = table.records.iter().map(|record| u64::from(record.size_bytes)).max().unwrap_or(0);
+    let groups = table.groups.iter().map(|group| group.group + 1).max().unwrap_or(0);
     let limits = wgpu::Limits {
         max_texture_dimension_2d: lowest.max_texture_dimension_2d.max(side),
         max_uniform_buffer_binding_size: lowest.max_uniform_buffer_binding_size.max(record),
         max_bind_groups: lowest.max_bind_groups.max(groups),
         ..lowest
     };
-    Ok(Requirements {
-        features: adapter.features() & USEFUL,
-        limits,
-    })
+    Ok(Requirements { features: adapter.features() & USEFUL, limits })
 }
 
 /// Compares a case with the limits of an adapter or a device.
 pub(crate) fn check_limits(offered: &wgpu::Limits, table: &CaseTable) -> Result<(), ServiceError> {
-    let (width, height, limit) = (
-        table.map_width,
-        table.map_height,
-        offered.max_texture_dimension_2d,
-    );
+    let (width, height, limit) = (table.map_width, table.map_height, offered.max_texture_dimension_2d);
     if width.max(height) > limit {
         return Err(ServiceError::MapTooLarge { width, height, limit });
     }
     let limit = offered.max_uniform_buffer_binding_size;
-    if let Some(record) = table
-        .records
-        .iter()
-        .find(|record| u64::from(record.size_bytes) > limit)
-    {
+    if let Some(record) = table.records.iter().find(|record| u64::from(record.size_bytes) > limit) {
         let (record, bytes) = (record.name.to_string(), record.size_bytes);
         return Err(ServiceError::RecordTooLarge { record, bytes, limit });
     }
     let limit = offered.max_bind_groups;
     if let Some(group) = table.groups.iter().find(|group| group.group >= limit) {
-        return Err(ServiceError::GroupTooLarge {
-            group: group.group,
-            limit,
-        });
+        return Err(ServiceError::GroupTooLarge { group: group.group, limit });
     }
     Ok(())
 }
@@ -92,9 +68,7 @@ pub(crate) fn check_limits(offered: &wgpu::Limits, table: &CaseTable) -> Result<
 /// Checks that records hold their fields and arrays have the lengths that the selection needs, so that writing a
 /// plan that fits the table stays inside them. Generated tables always pass.
 pub(crate) fn check_records(table: &CaseTable) -> Result<(), ServiceError> {
-    let facet_bytes = table
-        .record(RecordKind::Facet)
-        .map_or(0, |record| record.size_bytes);
+    let facet_bytes = table.record(RecordKind::Facet).map_or(0, |record| record.size_bytes);
     let (sectors, bands) = (table.sectors, table.bands);
     let fits = |record: &Record, field: &RecordField| {
         let (size, elements) = match field.meaning {
@@ -110,14 +84,8 @@ pub(crate) fn check_records(table: &CaseTable) -> Result<(), ServiceError> {
             && end <= u64::from(record.size_bytes)
     };
     let records = &table.records;
-    let sound = records
-        .iter()
-        .all(|record| record.fields.iter().all(|field| fits(record, field)));
-    if sound && sectors > 0 && bands > 0 {
-        Ok(())
-    } else {
-        Err(incomplete(table, "sound record layout"))
-    }
+    let sound = records.iter().all(|record| record.fields.iter().all(|field| fits(record, field)));
+    if sound && sectors > 0 && bands > 0 { Ok(()) } else { Err(incomplete(table, "sound record layout")) }
 }
 
 const fn field_bytes(ty: FieldType) -> u32 {
@@ -129,8 +97,5 @@ const fn field_bytes(ty: FieldType) -> u32 {
 }
 
 fn bindings(table: &CaseTable) -> impl Iterator<Item = BindingKind> + '_ {
-    table
-        .groups
-        .iter()
-        .flat_map(|group| group.bindings.iter().map(|binding| binding.kind))
+    table.groups.iter().flat_map(|group| group.bindings.iter().map(|binding| binding.kind))
 }

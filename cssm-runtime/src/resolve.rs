@@ -36,10 +36,8 @@ impl MaskPipeline {
         };
         let input = required_group(table, ShaderKind::Mask, GroupContent::MaskInput)?;
         let shadow = required_group(table, ShaderKind::Mask, GroupContent::Shadow)?;
-        let shadow_layout = layouts
-            .shadow
-            .as_ref()
-            .ok_or_else(|| incomplete(table, "bind group of a pass"))?;
+        let shadow_layout =
+            layouts.shadow.as_ref().ok_or_else(|| incomplete(table, "bind group of a pass"))?;
         let module = shader_module(device, table, ShaderKind::Mask)?;
 
         // Put each group at its declared number.
@@ -78,10 +76,7 @@ impl MaskPipeline {
                 cache: None,
             })
         })?;
-        Ok(Some(Self {
-            pipeline,
-            input_layout,
-        }))
+        Ok(Some(Self { pipeline, input_layout }))
     }
 
     /// Binds the engine's textures.
@@ -94,21 +89,15 @@ impl MaskPipeline {
         inputs: &MaskInputs,
     ) -> Result<wgpu::BindGroup, ServiceError> {
         let group = required_group(table, ShaderKind::Mask, GroupContent::MaskInput)?;
-        let wants_normal = group
-            .bindings
-            .iter()
-            .any(|binding| binding.kind == BindingKind::SceneNormal);
+        let wants_normal = group.bindings.iter().any(|binding| binding.kind == BindingKind::SceneNormal);
         if wants_normal && inputs.normal.is_none() {
             return Err(ServiceError::MissingNormal);
         }
         checked(device, "the mask's inputs", || {
             bind_group(device, &self.input_layout, group, |kind| match kind {
-                BindingKind::Uniform { record, .. } => Some(uniform(
-                    &slot.uniforms,
-                    table,
-                    record,
-                    layouts.uniforms.mask_offset,
-                )),
+                BindingKind::Uniform { record, .. } => {
+                    Some(uniform(&slot.uniforms, table, record, layouts.uniforms.mask_offset))
+                }
                 BindingKind::SceneDepth | BindingKind::SceneLinearDepth => {
                     Some(wgpu::BindingResource::TextureView(inputs.depth))
                 }

@@ -25,10 +25,7 @@ pub(crate) fn checked<T>(
     match errors.into_iter().flatten().flatten().next() {
         None => Ok(created),
         Some(wgpu::Error::OutOfMemory { .. }) => Err(ServiceError::OutOfMemory { what }),
-        Some(error) => Err(ServiceError::Refused {
-            what,
-            reason: flat(&error.to_string()),
-        }),
+        Some(error) => Err(ServiceError::Refused { what, reason: flat(&error.to_string()) }),
     }
 }
 

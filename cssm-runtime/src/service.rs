@@ -65,12 +65,7 @@ impl ShadowService {
         options: &Options,
     ) -> Result<Self, ServiceError> {
         let gpu = Gpu::new(device, queue, table, options)?;
-        Ok(Self {
-            table: table.clone(),
-            options: *options,
-            gpu,
-            meshes: Vec::new(),
-        })
+        Ok(Self { table: table.clone(), options: *options, gpu, meshes: Vec::new() })
     }
 
     /// The table that the service executes.
@@ -94,10 +89,7 @@ impl ShadowService {
             return Err(MeshError::Format(description.position_format).into());
         }
         Mesh::checked(description, &limits, Default::default())?;
-        let key = VertexKey {
-            format: description.position_format,
-            stride_bytes: description.stride_bytes,
-        };
+        let key = VertexKey { format: description.position_format, stride_bytes: description.stride_bytes };
         let pipeline = self.gpu.capture.handle(&self.gpu.device, key);
         let pipeline = self.gpu.alive(pipeline)?;
         let mesh = Mesh::checked(description, &limits, pipeline)?;
@@ -110,20 +102,14 @@ impl ShadowService {
         });
         let entry = &mut self.meshes[index];
         entry.mesh = Some(mesh);
-        Ok(MeshHandle {
-            index: index as u32,
-            generation: entry.generation,
-        })
+        Ok(MeshHandle { index: index as u32, generation: entry.generation })
     }
 
     /// Forgets a mesh; returns whether it was known. Frames that draw it become stale.
     pub fn remove_mesh(&mut self, mesh: MeshHandle) -> bool {
         let known = self.mesh(mesh).is_some();
         if known && let Some(entry) = self.meshes.get_mut(mesh.index as usize) {
-            *entry = MeshEntry {
-                generation: entry.generation.wrapping_add(1),
-                mesh: None,
-            };
+            *entry = MeshEntry { generation: entry.generation.wrapping_add(1), mesh: None };
         }
         known
     }
@@ -144,41 +130,16 @@ impl ShadowService {
         check_plan(&self.table, plan, view)?;
         let (commands, statistics) =
             FrameCommands::build(plan, instances, |mesh| self.mesh(mesh).map(|mesh| mesh.facts))?;
-        let Gpu {
-            device,
-            queue,
-            atlas,
-            layouts,
-            slots,
-            identity,
-            ..
-        } = &mut self.gpu;
+        let Gpu { device, queue, atlas, layouts, slots, identity, .. } = &mut self.gpu;
         let rows = commands.rows.len();
-        let slot = slots
-            .acquire(device, &self.table, layouts, atlas, rows)
-            .and_then(|slot| {
-                let write = || {
-                    upload(
-                        queue,
-                        &self.table,
-                        &layouts.uniforms,
-                        &slot,
-                        plan,
-                        view,
-                        &commands,
-                    )
-                };
-                checked(device, "a frame's upload", write)?;
-                Ok(slot)
-            });
+        let slot = slots.acquire(device, &self.table, layouts, atlas, rows).and_then(|slot| {
+            let write = || upload(queue, &self.table, &layouts.uniforms, &slot, plan, view, &commands);
+            checked(device, "a frame's upload", write)?;
+            Ok(slot)
+        });
         let service = Arc::clone(identity);
         let slot = self.gpu.alive(slot)?;
-        Ok(PreparedFrame {
-            service,
-            slot,
-            commands,
-            statistics,
-        })
+        Ok(PreparedFrame { service, slot, commands, statistics })
     }
 
     /// Records the capture: one render pass into the map, replacing what it held.
@@ -196,16 +157,9 @@ impl ShadowService {
     ) -> Result<(), ServiceError> {
         self.check_frame(frame)?;
         if frame.commands.meshes().any(|mesh| self.mesh(mesh).is_none()) {
-            return Err(ServiceError::StaleFrame {
-                why: "it draws a mesh that was removed",
-            });
+            return Err(ServiceError::StaleFrame { why: "it draws a mesh that was removed" });
         }
-        let Gpu {
-            capture,
-            atlas,
-            layouts,
-            ..
-        } = &self.gpu;
+        let Gpu { capture, atlas, layouts, .. } = &self.gpu;
         let stride = layouts.uniforms.facet_stride;
         let mesh = |mesh| self.mesh(mesh);
         capture.replay(encoder, &atlas.view, frame, stride, mesh, timestamps);
@@ -230,20 +184,10 @@ impl ShadowService {
         timestamps: Option<wgpu::RenderPassTimestampWrites>,
     ) -> Result<(), ServiceError> {
         self.check_frame(frame)?;
-        let Gpu {
-            device,
-            mask,
-            layouts,
-            ..
-        } = &self.gpu;
-        let not_declared = || ServiceError::NotDeclared {
-            case: self.table.case.to_string(),
-            what: "a mask",
-        };
+        let Gpu { device, mask, layouts, .. } = &self.gpu;
+        let not_declared = || ServiceError::NotDeclared { case: self.table.case.to_string(), what: "a mask" };
         let mask = mask.as_ref().ok_or_else(not_declared)?;
-        let inputs = self
-            .gpu
-            .alive(mask.bind(device, &self.table, layouts, &frame.slot, inputs))?;
+        let inputs = self.gpu.alive(mask.bind(device, &self.table, layouts, &frame.slot, inputs))?;
         mask.replay(encoder, &self.table, &frame.slot, &inputs, target, timestamps)?;
         keep_until_done(encoder, frame);
         Ok(())
@@ -269,17 +213,10 @@ impl ShadowService {
         let bytes = self.gpu.alive(bytes)?;
         Ok(match self.gpu.atlas.texture.format() {
             wgpu::TextureFormat::Depth16Unorm => {
-                let stored = bytes
-                    .chunks_exact(2)
-                    .map(|texel| u16::from_le_bytes([texel[0], texel[1]]));
-                stored
-                    .map(|texel| f32::from(texel) / f32::from(u16::MAX))
-                    .collect()
+                let stored = bytes.chunks_exact(2).map(|texel| u16::from_le_bytes([texel[0], texel[1]]));
+                stored.map(|texel| f32::from(texel) / f32::from(u16::MAX)).collect()
             }
-            _ => bytes
-                .chunks_exact(4)
-                .map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]))
-                .collect(),
+            _ => bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect(),
         })
     }
 
@@ -302,27 +239,19 @@ impl ShadowService {
     pub fn rebuild(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<(), ServiceError> {
         self.gpu = Gpu::new(device, queue, &self.table, &self.options)?;
         for entry in &mut self.meshes {
-            *entry = MeshEntry {
-                generation: entry.generation.wrapping_add(1),
-                mesh: None,
-            };
+            *entry = MeshEntry { generation: entry.generation.wrapping_add(1), mesh: None };
         }
         Ok(())
     }
 
     fn mesh(&self, handle: MeshHandle) -> Option<&Mesh> {
         let entry = self.meshes.get(handle.index as usize)?;
-        entry
-            .mesh
-            .as_ref()
-            .filter(|_| entry.generation == handle.generation)
+        entry.mesh.as_ref().filter(|_| entry.generation == handle.generation)
     }
 
     fn check_frame(&self, frame: &PreparedFrame) -> Result<(), ServiceError> {
         if !Arc::ptr_eq(&frame.service, &self.gpu.identity) {
-            return Err(ServiceError::StaleFrame {
-                why: "another service or an earlier device prepared it",
-            });
+            return Err(ServiceError::StaleFrame { why: "another service or an earlier device prepared it" });
         }
         Ok(())
     }

@@ -10,12 +10,7 @@ use crate::frame::{Slot, UniformLayout};
 
 /// Checks that a plan can be written into a table's records and drawn into its map.
 pub(crate) fn check_plan(table: &CaseTable, plan: &ShadowPlan, view: &View) -> Result<(), ServiceError> {
-    let foreign = |why| {
-        Err(ServiceError::ForeignPlan {
-            case: table.case.to_string(),
-            why,
-        })
-    };
+    let foreign = |why| Err(ServiceError::ForeignPlan { case: table.case.to_string(), why });
     if plan.map_size_texels != (table.map_width, table.map_height) {
         return foreign("its map has another size");
     }
@@ -32,10 +27,7 @@ pub(crate) fn check_plan(table: &CaseTable, plan: &ShadowPlan, view: &View) -> R
     if !rows(selection.borders.len(), table.sectors > 1)
         || !rows(selection.distances.len(), table.bands > 1)
         || !rows(selection.thresholds.len(), table.bands > 1)
-        || selection
-            .thresholds
-            .iter()
-            .any(|limits| limits.len() as u32 != table.bands - 1)
+        || selection.thresholds.iter().any(|limits| limits.len() as u32 != table.bands - 1)
     {
         return foreign("its selection has another shape");
     }
@@ -43,14 +35,8 @@ pub(crate) fn check_plan(table: &CaseTable, plan: &ShadowPlan, view: &View) -> R
     // Tiles must lie in the map and rows must survive the rounding.
     for facet in &plan.facets {
         let tile = &facet.tile;
-        let right = tile
-            .x
-            .checked_add(tile.width)
-            .is_some_and(|right| right <= table.map_width);
-        let bottom = tile
-            .y
-            .checked_add(tile.height)
-            .is_some_and(|bottom| bottom <= table.map_height);
+        let right = tile.x.checked_add(tile.width).is_some_and(|right| right <= table.map_width);
+        let bottom = tile.y.checked_add(tile.height).is_some_and(|bottom| bottom <= table.map_height);
         if !right || !bottom || tile.width == 0 || tile.height == 0 {
             return foreign("a tile leaves its map");
         }
@@ -81,10 +67,7 @@ pub(crate) fn upload(
         bytes[offset..offset + record.len()].copy_from_slice(&record);
     };
     for (position, facet) in plan.facets.iter().enumerate() {
-        put(
-            position as u64 * layout.facet_stride,
-            write_capture_record(table, facet),
-        );
+        put(position as u64 * layout.facet_stride, write_capture_record(table, facet));
     }
     put(layout.shadow_offset, write_shadow_record(table, plan));
     put(layout.mask_offset, write_mask_record(table, view));

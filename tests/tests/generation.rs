@@ -95,7 +95,7 @@ mod by_macro {
     }
 
     /// The table of the private case, whose prefix is a keyword.
-    pub const LEAST: &cssm::core::table::CaseTable = &r#match::TABLE;
+    pub(super) const LEAST: &cssm::core::table::CaseTable = &r#match::TABLE;
 }
 
 #[test]

@@ -20,8 +20,13 @@ pub(crate) const DEFAULT_CRATE_PATH: &str = "::cssm";
 /// Reads a crate path as given by a caller.
 pub(crate) fn crate_path(path: &str) -> Result<syn::Path, GenerateError> {
     let parsed: Result<syn::Path, _> = syn::parse_str(path);
-    let plain = |path: &syn::Path| path.segments.iter().all(|segment| segment.arguments.is_empty());
-    parsed.ok().filter(plain).ok_or_else(|| GenerateError::CratePath { path: path.to_owned() })
+    // The path stands in nested modules, so it must not start from the current one.
+    let fits = |path: &syn::Path| {
+        let relative =
+            path.segments.first().is_some_and(|first| first.ident == "self" || first.ident == "super");
+        !relative && path.segments.iter().all(|segment| segment.arguments.is_empty())
+    };
+    parsed.ok().filter(fits).ok_or_else(|| GenerateError::CratePath { path: path.to_owned() })
 }
 
 /// The module as tokens.

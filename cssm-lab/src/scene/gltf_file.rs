@@ -314,7 +314,7 @@ fn read_primitive(
     }
     let mode = |mode| SceneFileError::NotTriangles { mesh: mesh_index, primitive: index, mode };
     let indices = match primitive.mode() {
-        Mode::Triangles if indices.len() % 3 != 0 => {
+        Mode::Triangles if !indices.len().is_multiple_of(3) => {
             return Err(fail("has an index count that is no multiple of 3"));
         }
         Mode::Triangles => indices,

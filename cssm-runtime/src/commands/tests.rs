@@ -14,10 +14,7 @@ fn handle(index: u32) -> MeshHandle {
 
 /// Meshes 0 and 2 share a pipeline, mesh 1 has its own and no indices; there is no mesh 3.
 fn facts(mesh: MeshHandle) -> Option<MeshFacts> {
-    let bounds_object = BoundingBox {
-        min: DVec3::splat(-1.0),
-        max: DVec3::splat(1.0),
-    };
+    let bounds_object = BoundingBox { min: DVec3::splat(-1.0), max: DVec3::splat(1.0) };
     let facts = |pipeline, corners, indexed| MeshFacts {
         pipeline: PipelineHandle(pipeline),
         corners,
@@ -36,21 +33,10 @@ fn facts(mesh: MeshHandle) -> Option<MeshFacts> {
 fn facet(index: u32, low: f64, high: f64) -> Facet {
     Facet {
         index,
-        rows: FacetRows {
-            x: DVec4::X,
-            y: DVec4::Y,
-            z: DVec4::Z,
-            w: DVec4::W,
-        },
+        rows: FacetRows { x: DVec4::X, y: DVec4::Y, z: DVec4::Z, w: DVec4::W },
         select: Vec::new(),
         clip: Vec::new(),
-        tile: Tile {
-            x: 10 * index,
-            y: 0,
-            width: 10,
-            height: 20,
-            gutter: 1,
-        },
+        tile: Tile { x: 10 * index, y: 0, width: 10, height: 20, gutter: 1 },
         receivers: Vec::new(),
         casters: vec![DVec4::new(1.0, 0.0, 0.0, -low), DVec4::new(-1.0, 0.0, 0.0, high)],
         depth_per_metre: 1.0,
@@ -65,53 +51,25 @@ fn plan(facets: Vec<Facet>) -> ShadowPlan {
         eye_world: EYE,
         light: DVec4::Z,
         map_size_texels: (100, 20),
-        selection: Selection {
-            borders: Vec::new(),
-            distances: Vec::new(),
-            thresholds: Vec::new(),
-            bands: 1,
-        },
+        selection: Selection { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands: 1 },
         facets,
     }
 }
 
 fn at(mesh: u32, x: f64) -> CasterInstance {
     let world_from_object = DAffine3::from_translation(EYE + DVec3::X * x);
-    CasterInstance {
-        mesh: handle(mesh),
-        world_from_object,
-    }
+    CasterInstance { mesh: handle(mesh), world_from_object }
 }
 
 #[test]
 fn one_draw_covers_all_instances_of_a_mesh_in_a_facet() {
     let plan = plan(vec![facet(0, 0.0, 10.0), facet(2, 10.0, 20.0)]);
-    let casters = [
-        at(1, 5.0),
-        at(0, 15.0),
-        at(2, 4.0),
-        at(0, 6.0),
-        at(1, 10.5),
-        at(0, 3.0),
-    ];
+    let casters = [at(1, 5.0), at(0, 15.0), at(2, 4.0), at(0, 6.0), at(1, 10.5), at(0, 3.0)];
     let (frame, statistics) = FrameCommands::build(&plan, &casters, facts).unwrap();
-    let tile = |index: u32| Tile {
-        x: 10 * index,
-        y: 0,
-        width: 10,
-        height: 20,
-        gutter: 1,
-    };
-    let draw = |corners, indexed, instances| Command::Draw {
-        corners,
-        indexed,
-        instances,
-    };
+    let tile = |index: u32| Tile { x: 10 * index, y: 0, width: 10, height: 20, gutter: 1 };
+    let draw = |corners, indexed, instances| Command::Draw { corners, indexed, instances };
     let expected = [
-        Command::Facet {
-            facet: FacetHandle(0),
-            tile: tile(0),
-        },
+        Command::Facet { facet: FacetHandle(0), tile: tile(0) },
         Command::Pipeline(PipelineHandle(0)),
         Command::Mesh(handle(0)),
         draw(36, true, 0..2),
@@ -120,10 +78,7 @@ fn one_draw_covers_all_instances_of_a_mesh_in_a_facet() {
         Command::Pipeline(PipelineHandle(1)),
         Command::Mesh(handle(1)),
         draw(3, false, 3..5),
-        Command::Facet {
-            facet: FacetHandle(1),
-            tile: tile(2),
-        },
+        Command::Facet { facet: FacetHandle(1), tile: tile(2) },
         Command::Pipeline(PipelineHandle(0)),
         Command::Mesh(handle(0)),
         draw(36, true, 5..6),
@@ -137,51 +92,23 @@ fn one_draw_covers_all_instances_of_a_mesh_in_a_facet() {
     let shifts: Vec<f32> = frame.rows.iter().map(|rows| rows.0[0][3]).collect();
     assert_eq!(shifts, [6.0, 3.0, 4.0, 5.0, 10.5, 15.0, 10.5]);
     let facets = [
-        FacetStatistics {
-            facet: 0,
-            draws: 3,
-            instances: 5,
-            triangles: 2 * 12 + 4 + 2,
-        },
-        FacetStatistics {
-            facet: 2,
-            draws: 2,
-            instances: 2,
-            triangles: 12 + 1,
-        },
+        FacetStatistics { facet: 0, draws: 3, instances: 5, triangles: 2 * 12 + 4 + 2 },
+        FacetStatistics { facet: 2, draws: 2, instances: 2, triangles: 12 + 1 },
     ];
-    let total = FrameStatistics {
-        casters: 6,
-        draws: 5,
-        instances: 7,
-        triangles: 43,
-        facets: facets.to_vec(),
-    };
+    let total =
+        FrameStatistics { casters: 6, draws: 5, instances: 7, triangles: 43, facets: facets.to_vec() };
     assert_eq!(statistics, total);
 }
 
 #[test]
 fn what_stays_bound_is_not_bound_again() {
-    let plan = plan(vec![
-        facet(0, 0.0, 10.0),
-        facet(1, 0.0, 10.0),
-        facet(2, 50.0, 60.0),
-    ]);
+    let plan = plan(vec![facet(0, 0.0, 10.0), facet(1, 0.0, 10.0), facet(2, 50.0, 60.0)]);
     let (frame, statistics) = FrameCommands::build(&plan, &[at(0, 5.0)], facts).unwrap();
-    let binds = frame
-        .commands
-        .iter()
-        .filter(|command| matches!(command, Command::Pipeline(_) | Command::Mesh(_)));
+    let binds =
+        frame.commands.iter().filter(|command| matches!(command, Command::Pipeline(_) | Command::Mesh(_)));
     assert_eq!(binds.count(), 2);
     assert_eq!(frame.meshes().collect::<Vec<_>>(), [handle(0)]);
-    assert_eq!(
-        statistics
-            .facets
-            .iter()
-            .map(|facet| facet.draws)
-            .collect::<Vec<_>>(),
-        [1, 1, 0]
-    );
+    assert_eq!(statistics.facets.iter().map(|facet| facet.draws).collect::<Vec<_>>(), [1, 1, 0]);
 }
 
 #[test]
@@ -196,14 +123,8 @@ fn boxes_turn_and_scale_with_their_instance() {
     let plan = plan(vec![facet(0, 0.0, 10.0)]);
     let turned = |half: f64, x: f64| {
         let turn = DMat3::from_rotation_z(std::f64::consts::FRAC_PI_4) * half;
-        let world_from_object = DAffine3 {
-            matrix3: turn,
-            translation: EYE + DVec3::X * x,
-        };
-        CasterInstance {
-            mesh: handle(0),
-            world_from_object,
-        }
+        let world_from_object = DAffine3 { matrix3: turn, translation: EYE + DVec3::X * x };
+        CasterInstance { mesh: handle(0), world_from_object }
     };
     let drawn = |caster| FrameCommands::build(&plan, &[caster], facts).unwrap().1.draws;
     // A turned cube reaches half the square root of two times its side.

@@ -91,7 +91,8 @@ fn unsupported_required_extensions_are_named() {
 
 #[test]
 fn broken_documents_are_typed_errors() {
-    let cases: [(&str, fn(&mut serde_json::Value)); 10] = [
+    type Edit = fn(&mut serde_json::Value);
+    let cases: [(&str, Edit); 10] = [
         ("made of lines", |json| json["meshes"][0]["primitives"][0]["mode"] = 1.into()),
         ("made of points", |json| json["meshes"][0]["primitives"][0]["mode"] = 0.into()),
         ("has no POSITION", |json| {

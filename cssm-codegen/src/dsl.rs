@@ -53,16 +53,7 @@ pub fn parse_file(name: &str, text: &str) -> Result<Vec<LightCase>, Report> {
         let bytes = error.span().byte_range();
         let remedy = "write names, numbers, commas and brackets only".into();
         let message = "this is no part of a declaration".into();
-        Report::new(
-            name,
-            text,
-            vec![Finding {
-                message,
-                remedy,
-                bytes,
-                secondary: None,
-            }],
-        )
+        Report::new(name, text, vec![Finding { message, remedy, bytes, secondary: None }])
     })?;
     parse_tokens(tokens).map_err(|faults| Report::new(name, text, faults.iter().map(Finding::of).collect()))
 }
@@ -80,9 +71,7 @@ pub fn parse_tokens(tokens: TokenStream) -> Result<Vec<LightCase>, Vec<Diagnosti
         if let Some(first) = items[..index].iter().find(|earlier| earlier.name == item.name) {
             let message = format!("case `{}` is declared twice", item.name);
             let fault = Diagnostic::new(item.name_span, message, "rename one of them");
-            faults
-                .0
-                .push(fault.with_secondary(first.name_span, "first declared here"));
+            faults.0.push(fault.with_secondary(first.name_span, "first declared here"));
         }
         let Some(case) = check::case(item, &mut faults) else {
             continue;
@@ -91,20 +80,14 @@ pub fn parse_tokens(tokens: TokenStream) -> Result<Vec<LightCase>, Vec<Diagnosti
             earlier.name != case.name && type_prefix(&earlier.prefix) == type_prefix(&case.prefix)
         };
         if let Some((first, span)) = cases.iter().find(collides) {
-            let message = format!(
-                "cases `{}` and `{}` share the prefix `{}`",
-                first.name, case.name, case.prefix
-            );
+            let message =
+                format!("cases `{}` and `{}` share the prefix `{}`", first.name, case.name, case.prefix);
             let fault = Diagnostic::new(item.name_span, message, "give one of them another `prefix`");
             faults.0.push(fault.with_secondary(*span, "first used here"));
         }
         cases.push((case, item.name_span));
     }
-    if faults.0.is_empty() {
-        Ok(cases.into_iter().map(|(case, _)| case).collect())
-    } else {
-        Err(faults.0)
-    }
+    if faults.0.is_empty() { Ok(cases.into_iter().map(|(case, _)| case).collect()) } else { Err(faults.0) }
 }
 
 /// The prefix as it begins the names of shader types; prefixes that agree in it collide.

@@ -54,28 +54,14 @@ fn every_refusal_reads_as_locked() {
     let paths = files("tests/declarations");
     assert!(paths.len() >= 20, "only {} reports are locked", paths.len());
     for path in paths {
-        let stem = path
-            .file_stem()
-            .and_then(|stem| stem.to_str())
-            .expect("ASCII name");
+        let stem = path.file_stem().and_then(|stem| stem.to_str()).expect("ASCII name");
         let text = fs::read_to_string(&path).expect("readable");
         let report = dsl::parse_file(&format!("{stem}.cssm"), &text).expect_err(stem);
         for finding in report.findings() {
             let first = finding.message.chars().next().expect("a message");
-            assert!(
-                !first.is_uppercase() && !finding.message.ends_with('.'),
-                "{stem}: {}",
-                finding.message
-            );
-            assert!(
-                !finding.remedy.is_empty(),
-                "{stem}: {} has no remedy",
-                finding.message
-            );
-            assert!(
-                text.get(finding.bytes.clone()).is_some(),
-                "{stem}: place outside the file"
-            );
+            assert!(!first.is_uppercase() && !finding.message.ends_with('.'), "{stem}: {}", finding.message);
+            assert!(!finding.remedy.is_empty(), "{stem}: {} has no remedy", finding.message);
+            assert!(text.get(finding.bytes.clone()).is_some(), "{stem}: place outside the file");
             assert!(
                 !finding.bytes.is_empty() || stem == "empty_file",
                 "{stem}: {} has no place",
@@ -138,11 +124,7 @@ fn default_texts_mean_what_they_say() {
         }
     }
     fn nested(field: &Field) -> Vec<Default> {
-        fields(&field.kind)
-            .into_iter()
-            .flat_map(nested)
-            .chain([field.default])
-            .collect()
+        fields(&field.kind).into_iter().flat_map(nested).chain([field.default]).collect()
     }
     for field in FIELDS {
         for default in nested(field) {
@@ -159,11 +141,7 @@ fn default_texts_mean_what_they_say() {
         if let Some(text) = technique.distribution {
             let name = technique.choice.name;
             let written = parse_one(&format!("case Sun {{ technique: {name}, distribution: {text} }}"));
-            assert_eq!(
-                written,
-                parse_one(&format!("case Sun {{ technique: {name} }}")),
-                "{text}"
-            );
+            assert_eq!(written, parse_one(&format!("case Sun {{ technique: {name} }}")), "{text}");
         }
         for argument in technique.choice.arguments {
             let Default::Value(text) = argument.default else {
@@ -171,12 +149,7 @@ fn default_texts_mean_what_they_say() {
             };
             let head = format!("shadow_distance: 1 km, technique: {}", technique.choice.name);
             let written = parse_one(&format!("case Sun {{ {head} {{ {}: {text} }} }}", argument.name));
-            assert_eq!(
-                written,
-                parse_one(&format!("case Sun {{ {head} }}")),
-                "{}: {text}",
-                argument.name
-            );
+            assert_eq!(written, parse_one(&format!("case Sun {{ {head} }}")), "{}: {text}", argument.name);
         }
     }
 }
@@ -195,10 +168,7 @@ fn spellings_of_one_declaration_are_one_case() {
     for (case, text) in cases.iter().zip(spellings) {
         assert_eq!(*case, cases[0], "{text}");
     }
-    assert_ne!(
-        parse_one("case Sun { map: { size: 2048 x 1024 }, shadow_distance: 21 m }"),
-        cases[0]
-    );
+    assert_ne!(parse_one("case Sun { map: { size: 2048 x 1024 }, shadow_distance: 21 m }"), cases[0]);
 }
 
 #[test]
@@ -223,10 +193,7 @@ fn a_builder_says_the_same_as_the_text() {
         .bias(Bias::Slope { texels: 2.5 })
         .resolve(&[
             Resolve::Function { group: 1 },
-            Resolve::Mask {
-                depth: MaskDepth::Linear,
-                normal: MaskNormal::Texture,
-            },
+            Resolve::Mask { depth: MaskDepth::Linear, normal: MaskNormal::Texture },
         ])
         .prefix("low_sun")
         .build()
@@ -263,16 +230,7 @@ fn the_rust_door_reports_all_faults_too() {
         .expect_err("faults");
     let mut fields: Vec<_> = errors.iter().map(|error| error.field.as_str()).collect();
     fields.sort_unstable();
-    assert_eq!(
-        fields,
-        [
-            "distribution.count",
-            "map.size",
-            "prefix",
-            "shadow_distance",
-            "technique"
-        ]
-    );
+    assert_eq!(fields, ["distribution.count", "map.size", "prefix", "shadow_distance", "technique"]);
     assert!(errors.iter().all(|error| !error.remedy.is_empty()));
 }
 
@@ -336,11 +294,7 @@ fn canonical_texts_of_random_cases_read_back() {
     }
     // The draw reaches all over the schema.
     for technique in TECHNIQUES {
-        assert!(
-            cases
-                .iter()
-                .any(|(_, case)| case.technique.name == technique.choice.name)
-        );
+        assert!(cases.iter().any(|(_, case)| case.technique.name == technique.choice.name));
     }
     let biases: std::collections::BTreeSet<_> = cases.iter().map(|(_, case)| case.bias.name()).collect();
     assert_eq!(biases.len(), 5);
@@ -411,11 +365,8 @@ fn no_declaration_panics() {
     ];
     let mut sources: Vec<String> = drawn(2, 10).into_iter().map(|(text, _)| text).collect();
     sources.push(SUN.into());
-    sources.extend(
-        files("tests/declarations")
-            .iter()
-            .map(|path| fs::read_to_string(path).expect("readable")),
-    );
+    sources
+        .extend(files("tests/declarations").iter().map(|path| fs::read_to_string(path).expect("readable")));
     let mut random = Random(3);
     let (mut accepted, mut refused) = (0, 0);
     for round in 0..20_000 {
@@ -447,10 +398,7 @@ fn no_declaration_panics() {
             }
             Err(report) => {
                 refused += 1;
-                assert!(
-                    !report.findings().is_empty(),
-                    "round {round}: refused without a reason: {text}"
-                );
+                assert!(!report.findings().is_empty(), "round {round}: refused without a reason: {text}");
                 for finding in report.findings() {
                     assert!(
                         text.get(finding.bytes.clone()).is_some(),
@@ -463,10 +411,7 @@ fn no_declaration_panics() {
             }
         }
     }
-    assert!(
-        accepted > 100 && refused > 10_000,
-        "{accepted} accepted, {refused} refused"
-    );
+    assert!(accepted > 100 && refused > 10_000, "{accepted} accepted, {refused} refused");
 }
 
 #[test]
@@ -478,15 +423,8 @@ fn tokens_without_places_are_refused_too() {
     }
     let tokens = quote::quote! { case Sun { resolve: #deep, filter: gather } };
     let faults = dsl::parse_tokens(tokens).expect_err("faults");
-    assert!(
-        faults
-            .iter()
-            .any(|fault| fault.message.contains("nested more than 16 deep"))
-    );
-    let errors: Vec<_> = faults
-        .iter()
-        .map(|fault| fault.to_compile_error().to_string())
-        .collect();
+    assert!(faults.iter().any(|fault| fault.message.contains("nested more than 16 deep")));
+    let errors: Vec<_> = faults.iter().map(|fault| fault.to_compile_error().to_string()).collect();
     let named =
         |error: &&String| error.contains("compile_error") && error.contains("did you mean `gather_2x2`?");
     assert_eq!(errors.iter().filter(named).count(), 1, "{errors:?}");
@@ -498,8 +436,5 @@ fn tokens_without_places_are_refused_too() {
 fn invisible_groups_are_seen_through() {
     let hidden = proc_macro2::Group::new(proc_macro2::Delimiter::None, quote::quote! { bands(5) });
     let tokens = quote::quote! { case Sun { distribution: #hidden } };
-    assert_eq!(
-        dsl::parse_tokens(tokens).expect("a case"),
-        parse("case Sun { distribution: bands(5) }")
-    );
+    assert_eq!(dsl::parse_tokens(tokens).expect("a case"), parse("case Sun { distribution: bands(5) }"));
 }

@@ -164,7 +164,8 @@ impl Selection {
             None => 0,
             Some(row) => {
                 let distance = row.dot(point);
-                self.thresholds[sector as usize].iter().filter(|limit| distance >= **limit * point.w).count() as u32
+                self.thresholds[sector as usize].iter().filter(|limit| distance >= **limit * point.w).count()
+                    as u32
             }
         };
         sector * self.bands + band

@@ -33,7 +33,10 @@ pub fn volume(facet: &Facet, view: &View, point_from_eye: DVec3) -> Footprint {
     let (u, v) = texel_vectors(&facet.rows, &facet.tile, point_from_eye);
     let (major, minor) = singular_values(u, v);
     let pixels_per_metre = view.pixels_per_tangent() / view.depth_metres(point_from_eye);
-    Footprint { major_pixels: major * pixels_per_metre, geometric_pixels: (major * minor).sqrt() * pixels_per_metre }
+    Footprint {
+        major_pixels: major * pixels_per_metre,
+        geometric_pixels: (major * minor).sqrt() * pixels_per_metre,
+    }
 }
 
 /// Surface footprint: the major axis in screen pixels of the image of one texel on a surface with this normal.
@@ -73,9 +76,8 @@ pub fn bound(view: &View, toward_light_world: DVec3, texels: f64, far_metres: f6
     let corners = view.corner_tangents().map(|(x, y)| DVec3::new(x, y, -1.0));
     let sign = if toward.z >= 0.0 { 1.0 } else { -1.0 };
     let logarithm = libm::log(far_metres / view.near_metres);
-    let faces: f64 = (0..4)
-        .map(|k| (0.5 * sign * corners[k].cross(corners[(k + 1) % 4]).dot(toward)).max(0.0))
-        .sum();
+    let faces: f64 =
+        (0..4).map(|k| (0.5 * sign * corners[k].cross(corners[(k + 1) % 4]).dot(toward)).max(0.0)).sum();
     let rectangle = (view.right - view.left) * (view.top - view.bottom) * toward.z.abs();
     view.pixels_per_tangent() * ((2.0 * faces * logarithm + rectangle) / texels).sqrt()
 }

@@ -38,7 +38,8 @@ pub struct Gram {
 impl Gram {
     /// Squared major axis in pixels of one texel of a tile of this inner size.
     fn major_pixels_squared(&self, width: f64, height: f64) -> f64 {
-        let (xx, yy, xy) = (self.xx / (width * width), self.yy / (height * height), self.xy / (width * height));
+        let (xx, yy, xy) =
+            (self.xx / (width * width), self.yy / (height * height), self.xy / (width * height));
         0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()
     }
 }

@@ -28,7 +28,7 @@ impl Light {
     pub fn directional_travelling(direction_world: DVec3) -> Result<Self, LightError> {
         // Scale by the largest component first, so that tiny and huge vectors keep their direction.
         let largest = direction_world.abs().max_element();
-        if !(largest.is_finite() && largest > 0.0) || !direction_world.is_finite() {
+        if !direction_world.is_finite() || largest == 0.0 {
             return Err(LightError::Direction(direction_world));
         }
         let unit = (direction_world / largest).normalize();

@@ -60,10 +60,14 @@ pub enum PlanError {
         technique: &'static str,
     },
     /// The case declares finite views.
-    #[error("the case declares view: perspective {{ far: finite }}, but this view's far plane is at infinity")]
+    #[error(
+        "the case declares view: perspective {{ far: finite }}, but this view's far plane is at infinity"
+    )]
     InfiniteView,
     /// The map cannot hold the tiles.
-    #[error("the map of {width} x {height} texels cannot hold {tiles} tiles with gutters of {gutter} texels; enlarge it or use fewer facets")]
+    #[error(
+        "the map of {width} x {height} texels cannot hold {tiles} tiles with gutters of {gutter} texels; enlarge it or use fewer facets"
+    )]
     MapTooSmall {
         /// Map width.
         width: u32,
@@ -75,7 +79,9 @@ pub enum PlanError {
         gutter: u32,
     },
     /// The numbers leave no usable matrix.
-    #[error("facet {facet} has no usable matrix ({why}); check the view's near and far planes and the receiver bounds")]
+    #[error(
+        "facet {facet} has no usable matrix ({why}); check the view's near and far planes and the receiver bounds"
+    )]
     Degenerate {
         /// Facet index.
         facet: u32,

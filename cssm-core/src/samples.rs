@@ -16,8 +16,7 @@ pub fn receivers(view: &View, receivers: &Polytope, count: usize) -> Vec<DVec3> 
     const STEP: DVec3 = DVec3::new(0.819_172_513_396_164_4, 0.671_043_606_703_789_2, 0.549_700_477_901_970_1);
     let (nearest, farthest) = receivers.range(DEPTH);
     let nearest = nearest.max(f64::MIN_POSITIVE);
-    let farthest =
-        if farthest.is_finite() { farthest } else { SAMPLED_HORIZON_METRES.max(1e3 * nearest) };
+    let farthest = if farthest.is_finite() { farthest } else { SAMPLED_HORIZON_METRES.max(1e3 * nearest) };
     let logarithm = libm::log(farthest / nearest);
     let point = |index: usize| {
         let unit = (STEP * (index as f64 + 0.5)).fract();

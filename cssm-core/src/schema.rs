@@ -157,11 +157,7 @@ impl Choice {
 
     /// A choice without arguments.
     pub const fn plain(name: &'static str, summary: &'static str) -> Self {
-        Self {
-            name,
-            summary,
-            arguments: &[],
-        }
+        Self { name, summary, arguments: &[] }
     }
 }
 
@@ -198,18 +194,12 @@ pub struct Word {
 impl Word {
     /// A word without arguments.
     pub const fn plain(name: &'static str) -> Self {
-        Self {
-            name,
-            arguments: Arguments(Vec::new()),
-        }
+        Self { name, arguments: Arguments(Vec::new()) }
     }
 
     /// A word with arguments.
     pub fn with(name: &'static str, arguments: impl IntoIterator<Item = (&'static str, Value)>) -> Self {
-        Self {
-            name,
-            arguments: Arguments(arguments.into_iter().collect()),
-        }
+        Self { name, arguments: Arguments(arguments.into_iter().collect()) }
     }
 }
 
@@ -220,10 +210,7 @@ pub struct Arguments(pub Vec<(&'static str, Value)>);
 impl Arguments {
     /// The value of a field, if it is there.
     pub fn get(&self, name: &str) -> Option<&Value> {
-        self.0
-            .iter()
-            .find(|(field, _)| *field == name)
-            .map(|(_, value)| value)
+        self.0.iter().find(|(field, _)| *field == name).map(|(_, value)| value)
     }
 
     /// A whole number, if the field is there and holds one.

@@ -177,14 +177,18 @@ impl Meaning {
             Self::RowZ => "Clip z, growing away from the light.",
             Self::RowW => "Clip w, positive on receivers.",
             Self::TexelFromNdc => "Map texel coordinates = clip space after division * xy + zw.",
-            Self::TexelLimits => "Smallest (xy) and largest (zw) map texel coordinates of the facet's receivers.",
+            Self::TexelLimits => {
+                "Smallest (xy) and largest (zw) map texel coordinates of the facet's receivers."
+            }
             Self::DepthPerMetre => "Depth times w per metre away from the light.",
             Self::TexelMetresPerW => "Larger side of a texel across the light in metres, per w.",
             Self::ReceiverPlaneDepth => "Depth by which an exact receiver plane is lowered.",
             Self::TowardLight => "Unit vector towards the light, world axes.",
             Self::Borders => "Border rows of the sectors, in walking order; the first closes the ring.",
             Self::Distances => "Distance row of each sector.",
-            Self::Thresholds => "Ascending band limits of each sector, four to a vector; unused ones are out of reach.",
+            Self::Thresholds => {
+                "Ascending band limits of each sector, four to a vector; unused ones are out of reach."
+            }
             Self::Facets => "The facets: index = sector * bands + band.",
             Self::RayCorner => "Direction through the image's upper left corner, depth 1, world axes.",
             Self::RayAcross => "Change of that direction across the whole image.",

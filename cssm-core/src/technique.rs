@@ -36,11 +36,15 @@ pub struct TechniqueSpec {
 pub const TECHNIQUES: &[TechniqueSpec] = &[standard::SPEC, parallel_split::SPEC, camera_space::SPEC];
 
 /// Their declared names and parameters.
-pub const CHOICES: &[Choice] = &[standard::SPEC.choice, parallel_split::SPEC.choice, camera_space::SPEC.choice];
+pub const CHOICES: &[Choice] =
+    &[standard::SPEC.choice, parallel_split::SPEC.choice, camera_space::SPEC.choice];
 
 /// Every configuration that some technique takes.
-pub const CONFIGURATIONS: &[Choice] =
-    &[standard::SPEC.configurations[0], parallel_split::SPEC.configurations[0], camera_space::SPEC.configurations[0]];
+pub const CONFIGURATIONS: &[Choice] = &[
+    standard::SPEC.configurations[0],
+    parallel_split::SPEC.configurations[0],
+    camera_space::SPEC.configurations[0],
+];
 
 /// The entry of a name that a checked case holds; an unknown name falls to the first entry.
 pub fn spec(name: &str) -> &'static TechniqueSpec {

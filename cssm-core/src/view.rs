@@ -47,10 +47,14 @@ pub enum ViewError {
         what: &'static str,
     },
     /// The view direction or the up vector is degenerate.
-    #[error("the view direction and the up vector do not span a plane; give an up vector that is not parallel to the view")]
+    #[error(
+        "the view direction and the up vector do not span a plane; give an up vector that is not parallel to the view"
+    )]
     Degenerate,
     /// The near plane is not positive or not before the far plane.
-    #[error("the near plane at {near_metres} m must lie at a positive depth before the far plane at {far_metres} m")]
+    #[error(
+        "the near plane at {near_metres} m must lie at a positive depth before the far plane at {far_metres} m"
+    )]
     Depths {
         /// Depth of the near plane.
         near_metres: f64,
@@ -58,10 +62,14 @@ pub enum ViewError {
         far_metres: f64,
     },
     /// The field of view is empty or reaches 180 degrees.
-    #[error("the field of view is empty or reaches 180 degrees; give an angle between 0 and 180 degrees and a positive aspect ratio")]
+    #[error(
+        "the field of view is empty or reaches 180 degrees; give an angle between 0 and 180 degrees and a positive aspect ratio"
+    )]
     FieldOfView,
     /// The matrix is not a perspective projection.
-    #[error("the matrix is not a perspective projection ({why}); orthographic and oblique projections have no camera space map")]
+    #[error(
+        "the matrix is not a perspective projection ({why}); orthographic and oblique projections have no camera space map"
+    )]
     NotPerspective {
         /// What gives it away.
         why: &'static str,
@@ -82,7 +90,10 @@ impl View {
     ///
     /// # Errors
     /// A [`ViewError`] that names the argument at fault.
-    #[allow(clippy::too_many_arguments, reason = "the field's customary camera arguments, each with its unit in the name")]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "the field's customary camera arguments, each with its unit in the name"
+    )]
     pub fn perspective(
         eye_world: DVec3,
         target_world: DVec3,
@@ -101,8 +112,18 @@ impl View {
         let top = libm::tan(0.5 * fov_y_radians);
         let right = top * f64::from(size_pixels.0) / f64::from(size_pixels.1);
         let camera_from_world = look_rotation(eye_world, target_world, up_world)?;
-        Self { eye_world, camera_from_world, left: -right, right, bottom: -top, top, near_metres, far_metres, size_pixels }
-            .checked()
+        Self {
+            eye_world,
+            camera_from_world,
+            left: -right,
+            right,
+            bottom: -top,
+            top,
+            near_metres,
+            far_metres,
+            size_pixels,
+        }
+        .checked()
     }
 
     /// The view behind a view matrix (world to camera) and a projection matrix (camera to clip), as engines have
@@ -135,7 +156,13 @@ impl View {
 
         // Read the side planes: x_clip = +-w on x = edge * depth, z = -depth.
         let (x_row, y_row, z_row) = (row(0), row(1), row(2));
-        if x_row.y != 0.0 || x_row.w != 0.0 || y_row.x != 0.0 || y_row.w != 0.0 || x_row.x == 0.0 || y_row.y == 0.0 {
+        if x_row.y != 0.0
+            || x_row.w != 0.0
+            || y_row.x != 0.0
+            || y_row.w != 0.0
+            || x_row.x == 0.0
+            || y_row.y == 0.0
+        {
             return Err(ViewError::NotPerspective { why: "its x and y rows shear or translate" });
         }
         let edges = |slope: f64, shift: f64| {
@@ -166,12 +193,24 @@ impl View {
         let rigid = handed * camera_from_world;
         let rotation = DMat3::from_mat4(rigid);
         let residual = rotation * rotation.transpose() - DMat3::IDENTITY;
-        if residual.to_cols_array().iter().any(|value| value.abs() > RIGID_TOLERANCE) || rigid.row(3) != DVec4::W {
+        if residual.to_cols_array().iter().any(|value| value.abs() > RIGID_TOLERANCE)
+            || rigid.row(3) != DVec4::W
+        {
             return Err(ViewError::NotRigid);
         }
         let eye_world = rotation.transpose() * -rigid.w_axis.truncate();
-        Self { eye_world, camera_from_world: rotation, left, right, bottom, top, near_metres, far_metres, size_pixels }
-            .checked()
+        Self {
+            eye_world,
+            camera_from_world: rotation,
+            left,
+            right,
+            bottom,
+            top,
+            near_metres,
+            far_metres,
+            size_pixels,
+        }
+        .checked()
     }
 
     /// The view with another near plane; engines that know how close the nearest visible surface is pass it here.

@@ -46,9 +46,13 @@ fn any_projection_becomes_the_same_view() {
     let eye = DVec3::new(100.0, 20.0, -30.0);
     let rotation = DMat3::from_rotation_y(0.7) * DMat3::from_rotation_x(0.3);
     for far in [500.0, f64::INFINITY] {
-        for (reversed, left_handed, gl) in
-            [(false, false, false), (true, false, false), (true, true, false), (false, true, false), (false, false, true)]
-        {
+        for (reversed, left_handed, gl) in [
+            (false, false, false),
+            (true, false, false),
+            (true, true, false),
+            (false, true, false),
+            (false, false, true),
+        ] {
             let flip = DMat3::from_diagonal(DVec3::new(1.0, 1.0, if left_handed { -1.0 } else { 1.0 }));
             let camera = flip * rotation;
             let matrix = DMat4::from_mat3(camera) * DMat4::from_translation(-eye);
@@ -56,7 +60,9 @@ fn any_projection_becomes_the_same_view() {
             let depth = if gl { ClipDepth::NegativeOneToOne } else { ClipDepth::ZeroToOne };
             let view = View::from_matrices(matrix, clip, depth, (1300, 800)).unwrap();
             assert!((view.eye_world - eye).length() < 1e-9);
-            assert!((view.camera_from_world - rotation).to_cols_array().iter().all(|value| value.abs() < 1e-12));
+            assert!(
+                (view.camera_from_world - rotation).to_cols_array().iter().all(|value| value.abs() < 1e-12)
+            );
             let found = [view.left, view.right, view.bottom, view.top, view.near_metres];
             for (found, wanted) in found.iter().zip(edges.iter().chain(&[0.3])) {
                 assert!((found - wanted).abs() < 1e-9, "{found} {wanted}");
@@ -180,7 +186,8 @@ fn footprints_keep_their_promise() {
         score.p95_pixels
     };
     let median = |index: usize, lights: &[(f64, f64)]| {
-        let mut values: Vec<f64> = lights.iter().map(|(elevation, azimuth)| p95(index, *elevation, *azimuth)).collect();
+        let mut values: Vec<f64> =
+            lights.iter().map(|(elevation, azimuth)| p95(index, *elevation, *azimuth)).collect();
         values.sort_by(f64::total_cmp);
         quantile(&values, 0.5)
     };

@@ -103,12 +103,18 @@ fn every_visible_point_has_exactly_one_facet_and_a_texel_in_its_tile() {
                     draws += 1;
                     let homogeneous = point.extend(1.0);
                     let index = plan.selection.facet(homogeneous);
-                    let accepting: Vec<u32> =
-                        plan.facets.iter().filter(|facet| accepts(facet, point)).map(|facet| facet.index).collect();
+                    let accepting: Vec<u32> = plan
+                        .facets
+                        .iter()
+                        .filter(|facet| accepts(facet, point))
+                        .map(|facet| facet.index)
+                        .collect();
                     match accepting[..] {
                         [] => on_borders += 1,
                         [one] => assert_eq!(one, index, "{} {light} {point}", case.name),
-                        _ => panic!("{} facets accept {point} of {} under {light}", accepting.len(), case.name),
+                        _ => {
+                            panic!("{} facets accept {point} of {} under {light}", accepting.len(), case.name)
+                        }
                     }
                     let outside = outside_tile(&plan, facet_in_f32(&plan.selection, point), point);
                     assert!(outside == 0.0, "{} {light} {point}: {outside} texels outside", case.name);

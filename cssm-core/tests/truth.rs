@@ -104,11 +104,19 @@ fn mismatch_falls_with_the_map_for_every_technique_and_light() {
     for far in [f64::INFINITY, 1e4] {
         let view = view(far);
         let receivers = receivers(&view, &triangles, 3000, &mut random);
-        for (elevation, azimuth) in
-            [(60.0, 150.0), (45.0, 0.0), (20.0, 180.0), (20.0, 0.0), (5.0, 170.0), (90.0, 0.0), (8.0, 90.0), (33.0, 0.0)]
-        {
+        for (elevation, azimuth) in [
+            (60.0, 150.0),
+            (45.0, 0.0),
+            (20.0, 180.0),
+            (20.0, 0.0),
+            (5.0, 170.0),
+            (90.0, 0.0),
+            (8.0, 90.0),
+            (33.0, 0.0),
+        ] {
             let light = toward(elevation, azimuth);
-            let truth: Vec<bool> = receivers.iter().map(|receiver| shadowed(receiver, light, &triangles)).collect();
+            let truth: Vec<bool> =
+                receivers.iter().map(|receiver| shadowed(receiver, light, &triangles)).collect();
             for index in 1..4 {
                 let at = |size: u32| {
                     let case = &cases(size, 1000.0)[index];
@@ -137,7 +145,8 @@ fn wrong_bias_swapped_facets_and_shifted_tiles_are_caught() {
     let truth: Vec<bool> = receivers.iter().map(|receiver| shadowed(receiver, light, &triangles)).collect();
     let case = cases(1024, 1000.0)[3].clone();
     let plan = plan(&case, &view, &sun(light), &SceneBounds::default()).unwrap();
-    let of = |case: &LightCase, plan: &ShadowPlan| mismatch(case, plan, light, &triangles, &receivers, &truth);
+    let of =
+        |case: &LightCase, plan: &ShadowPlan| mismatch(case, plan, light, &triangles, &receivers, &truth);
     let right = of(&case, &plan);
 
     let mut unbiased = case.clone();
@@ -186,13 +195,20 @@ fn no_box_whose_shadow_reaches_a_receiver_is_refused() {
                 let Some(facet) = plan.facet(plan.selection.facet(point.extend(1.0))) else { continue };
                 let distance = 1e-3 * 1e6_f64.powf(random.unit());
                 let on_ray = point + light * distance;
-                let size = DVec3::new(random.unit(), random.unit(), random.unit()) * 10_f64.powf(random.between(-3.0, 2.0));
+                let size = DVec3::new(random.unit(), random.unit(), random.unit())
+                    * 10_f64.powf(random.between(-3.0, 2.0));
                 let min = on_ray - size * DVec3::new(random.unit(), random.unit(), random.unit());
-                assert!(facet.reached_by(&BoundingBox { min, max: min + size }), "{} {light} {point}", case.name);
+                assert!(
+                    facet.reached_by(&BoundingBox { min, max: min + size }),
+                    "{} {light} {point}",
+                    case.name
+                );
 
                 // A box behind the receivers or beside the view is refused often enough to be worth asking.
-                let aside = point - light * distance - view.ray_world(320.0, 180.0) * random.between(0.0, 500.0);
-                refused += usize::from(!facet.reached_by(&BoundingBox { min: aside - 0.1, max: aside + 0.1 }));
+                let aside =
+                    point - light * distance - view.ray_world(320.0, 180.0) * random.between(0.0, 500.0);
+                refused +=
+                    usize::from(!facet.reached_by(&BoundingBox { min: aside - 0.1, max: aside + 0.1 }));
             }
             assert!(refused > 100, "{} {light} refused only {refused}", case.name);
         }

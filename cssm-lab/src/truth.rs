@@ -2,7 +2,7 @@
 //!
 //! A primary ray through the pixel's centre finds the visible surface; a second ray from there towards the light
 //! says lit or shadowed. The second ray starts on the surface itself: it skips the triangle it starts on and
-//! anything nearer than the rounding of the coordinates ([`START_RELATIVE`]), and nothing else.
+//! anything nearer than the rounding of the coordinates, and nothing else.
 
 mod tracer;
 mod triangle;

@@ -158,7 +158,8 @@ fn clamping_in_fragments_draws_the_same() {
 #[test]
 fn wrong_plans_are_caught() {
     let (gpu, yard) = (exclusive(), Yard::new());
-    let changes: [(&str, fn(&mut ShadowPlan)); 4] = [
+    type Change = (&'static str, fn(&mut ShadowPlan));
+    let changes: [Change; 4] = [
         ("swapped tiles", |plan| {
             let tiles: Vec<_> = plan.facets.iter().map(|facet| facet.tile).collect();
             plan.facets.iter_mut().zip(tiles.into_iter().rev()).for_each(|(facet, tile)| facet.tile = tile);

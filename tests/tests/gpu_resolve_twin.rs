@@ -232,7 +232,8 @@ fn wrong_maps_and_biases_are_caught() {
         score.mask_wrong
     };
     let unchanged = score(&|_| {});
-    let changes: [(&str, &dyn Fn(&mut Drawn)); 4] = [
+    type Change<'a> = (&'a str, &'a dyn Fn(&mut Drawn));
+    let changes: [Change; 4] = [
         ("a map shifted by a texel", &|drawn| drawn.map.depths.rotate_right(1)),
         ("a map that is all lit", &|drawn| drawn.map.depths.fill(1.0)),
         ("a bias of ten texels", &|drawn| {

@@ -48,9 +48,7 @@ impl fmt::Display for Failure {
                     out,
                     "these snapshots wait for review; accept them with `cargo insta review`, or delete them"
                 )?;
-                paths
-                    .iter()
-                    .try_for_each(|path| writeln!(out, "    {}", path.display()))
+                paths.iter().try_for_each(|path| writeln!(out, "    {}", path.display()))
             }
             Self::Stale(names) => {
                 writeln!(

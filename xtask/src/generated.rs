@@ -73,10 +73,7 @@ pub(crate) fn scratch(name: &str) -> Result<PathBuf, Failure> {
 fn generate(steps: &mut Steps) -> Result<Vec<(String, String)>, Failure> {
     let out = scratch("generated")?;
     let mut emit = steps.tool("shaders-gen")?;
-    emit.arg("emit")
-        .args(cases(steps.root())?)
-        .args(["--target", "rust", "--out"])
-        .arg(&out);
+    emit.arg("emit").args(cases(steps.root())?).args(["--target", "rust", "--out"]).arg(&out);
     steps.quiet("generated files", &mut emit)?;
     let tables = names(&out)?;
 
@@ -89,19 +86,13 @@ fn generate(steps: &mut Steps) -> Result<Vec<(String, String)>, Failure> {
     for name in tables {
         index.push_str(&format!("include!(\"generated/{name}\");\n"));
         let path = out.join(&name);
-        files.push((
-            format!("{TABLES}/{name}"),
-            fs::read_to_string(&path).map_err(at(&path))?,
-        ));
+        files.push((format!("{TABLES}/{name}"), fs::read_to_string(&path).map_err(at(&path))?));
     }
     files.push((INDEX.into(), index));
 
     let mut reference = steps.tool("shaders-gen")?;
     let page = steps.quiet("generated files", reference.arg("reference"))?;
-    files.push((
-        REFERENCE.into(),
-        String::from_utf8_lossy(&page.stdout).into_owned(),
-    ));
+    files.push((REFERENCE.into(), String::from_utf8_lossy(&page.stdout).into_owned()));
     Ok(files)
 }
 

@@ -52,10 +52,7 @@ pub(crate) fn run(steps: &mut Steps) -> Result<(), Failure> {
     steps.timed("installing packages", || install(&machine))?;
     match self::missing().as_slice() {
         [] => Ok(()),
-        left => Err(Failure::Setup(format!(
-            "still missing after the installation: {}",
-            left.join(", ")
-        ))),
+        left => Err(Failure::Setup(format!("still missing after the installation: {}", left.join(", ")))),
     }
 }
 
@@ -109,10 +106,8 @@ fn install(machine: &Machine) -> Result<(), Failure> {
             command.arg("apt-get");
         }
         command.args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
-        let status = command.status().map_err(|source| Failure::Start {
-            program: "apt-get".into(),
-            source,
-        })?;
+        let status =
+            command.status().map_err(|source| Failure::Start { program: "apt-get".into(), source })?;
         if !status.success() {
             return Err(Failure::Setup(format!(
                 "the installation failed; mend it and run `{}`",
@@ -126,13 +121,8 @@ fn install(machine: &Machine) -> Result<(), Failure> {
 fn ask(question: &str) -> Result<bool, Failure> {
     print!("{question} [y/N] ");
     let mut answer = String::new();
-    let read = io::stdout()
-        .flush()
-        .and_then(|()| io::stdin().read_line(&mut answer));
-    read.map_err(|source| Failure::Start {
-        program: "the question".into(),
-        source,
-    })?;
+    let read = io::stdout().flush().and_then(|()| io::stdin().read_line(&mut answer));
+    read.map_err(|source| Failure::Start { program: "the question".into(), source })?;
     Ok(matches!(answer.trim(), "y" | "Y" | "yes"))
 }
 
@@ -161,16 +151,9 @@ fn driver_places() -> Vec<PathBuf> {
     }
     let home = env::var_os("HOME").map(PathBuf::from).unwrap_or_default();
     let from = |variable: &str, usual: &str| env::var_os(variable).unwrap_or_else(|| usual.into());
-    let mut roots = vec![
-        home.join(".config"),
-        home.join(".local/share"),
-        PathBuf::from("/etc"),
-    ];
+    let mut roots = vec![home.join(".config"), home.join(".local/share"), PathBuf::from("/etc")];
     roots.extend(env::split_paths(&from("XDG_CONFIG_DIRS", "/etc/xdg")));
-    roots.extend(env::split_paths(&from(
-        "XDG_DATA_DIRS",
-        "/usr/local/share:/usr/share",
-    )));
+    roots.extend(env::split_paths(&from("XDG_DATA_DIRS", "/usr/local/share:/usr/share")));
     roots.into_iter().map(|root| root.join("vulkan/icd.d")).collect()
 }
 
@@ -188,13 +171,7 @@ fn has_loader() -> bool {
     // Ask the linker's cache, then look where distributions put libraries.
     let cache = ["ldconfig", "/sbin/ldconfig", "/usr/sbin/ldconfig"]
         .into_iter()
-        .find_map(|program| {
-            Command::new(program)
-                .arg("-p")
-                .stderr(Stdio::null())
-                .output()
-                .ok()
-        });
+        .find_map(|program| Command::new(program).arg("-p").stderr(Stdio::null()).output().ok());
     if cache.is_some_and(|cache| String::from_utf8_lossy(&cache.stdout).contains("libvulkan.so.1")) {
         return true;
     }
@@ -213,9 +190,7 @@ fn has_loader() -> bool {
 
 fn find_program(name: &str) -> Option<PathBuf> {
     let folders = env::var_os("PATH")?;
-    env::split_paths(&folders)
-        .map(|folder| folder.join(name))
-        .find(|path| path.is_file())
+    env::split_paths(&folders).map(|folder| folder.join(name)).find(|path| path.is_file())
 }
 
 fn is_root() -> bool {
@@ -228,68 +203,17 @@ mod tests {
     use super::{Machine, Remedy, has_driver};
     use std::path::PathBuf;
 
-    const MACHINE: Machine = Machine {
-        root: true,
-        interactive: false,
-        apt: true,
-        sudo: false,
-    };
+    const MACHINE: Machine = Machine { root: true, interactive: false, apt: true, sudo: false };
 
     #[test]
     fn only_root_without_a_terminal_installs_unasked() {
         assert_eq!(MACHINE.remedy(), Remedy::Install);
-        assert_eq!(
-            Machine {
-                interactive: true,
-                ..MACHINE
-            }
-            .remedy(),
-            Remedy::Ask
-        );
-        assert_eq!(
-            Machine {
-                root: false,
-                ..MACHINE
-            }
-            .remedy(),
-            Remedy::Print
-        );
-        assert_eq!(
-            Machine {
-                root: false,
-                sudo: true,
-                ..MACHINE
-            }
-            .remedy(),
-            Remedy::Print
-        );
-        assert_eq!(
-            Machine {
-                root: false,
-                sudo: true,
-                interactive: true,
-                ..MACHINE
-            }
-            .remedy(),
-            Remedy::Ask
-        );
-        assert_eq!(
-            Machine {
-                root: false,
-                interactive: true,
-                ..MACHINE
-            }
-            .remedy(),
-            Remedy::Print
-        );
-        assert_eq!(
-            Machine {
-                apt: false,
-                ..MACHINE
-            }
-            .remedy(),
-            Remedy::Describe
-        );
+        assert_eq!(Machine { interactive: true, ..MACHINE }.remedy(), Remedy::Ask);
+        assert_eq!(Machine { root: false, ..MACHINE }.remedy(), Remedy::Print);
+        assert_eq!(Machine { root: false, sudo: true, ..MACHINE }.remedy(), Remedy::Print);
+        assert_eq!(Machine { root: false, sudo: true, interactive: true, ..MACHINE }.remedy(), Remedy::Ask);
+        assert_eq!(Machine { root: false, interactive: true, ..MACHINE }.remedy(), Remedy::Print);
+        assert_eq!(Machine { apt: false, ..MACHINE }.remedy(), Remedy::Describe);
     }
 
     #[test]
@@ -298,11 +222,7 @@ mod tests {
         let install = format!("apt-get install -y --no-install-recommends {packages}");
         assert_eq!(MACHINE.command(), format!("apt-get update && {install}"));
         assert_eq!(
-            Machine {
-                root: false,
-                ..MACHINE
-            }
-            .command(),
+            Machine { root: false, ..MACHINE }.command(),
             format!("sudo apt-get update && sudo {install}")
         );
     }
@@ -310,10 +230,6 @@ mod tests {
     #[test]
     fn folders_without_a_manifest_hold_no_driver() {
         let own = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-        assert!(!has_driver(&[
-            own.clone(),
-            own.join("missing"),
-            own.join("Cargo.toml")
-        ]));
+        assert!(!has_driver(&[own.clone(), own.join("missing"), own.join("Cargo.toml")]));
     }
 }

@@ -19,13 +19,8 @@ impl Steps {
         let manifest = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
         let root = manifest.as_deref().and_then(Path::parent).map(Path::to_owned);
         match root.or_else(|| env::current_dir().ok()) {
-            Some(root) => Ok(Self {
-                root,
-                taken: Vec::new(),
-            }),
-            None => Err(Failure::Setup(
-                "run this as `cargo xtask` in the repository".into(),
-            )),
+            Some(root) => Ok(Self { root, taken: Vec::new() }),
+            None => Err(Failure::Setup("run this as `cargo xtask` in the repository".into())),
         }
     }
 
@@ -53,10 +48,7 @@ impl Steps {
         self.quiet(&format!("building {name}"), &mut build)?;
 
         // Cargo puts it beside this program.
-        let own = env::current_exe().map_err(|source| Failure::Start {
-            program: name.into(),
-            source,
-        })?;
+        let own = env::current_exe().map_err(|source| Failure::Start { program: name.into(), source })?;
         let mut tool = Command::new(own.with_file_name(format!("{name}{}", env::consts::EXE_SUFFIX)));
         tool.current_dir(&self.root);
         Ok(tool)
@@ -73,22 +65,14 @@ impl Steps {
     /// Runs a program with its output shown.
     pub(crate) fn run(&mut self, title: &str, command: &mut Command) -> Result<(), Failure> {
         println!("> {title}");
-        let status = self
-            .timed(title, || command.status())
-            .map_err(|source| start(command, source))?;
-        if status.success() {
-            Ok(())
-        } else {
-            Err(Failure::Step { title: title.into() })
-        }
+        let status = self.timed(title, || command.status()).map_err(|source| start(command, source))?;
+        if status.success() { Ok(()) } else { Err(Failure::Step { title: title.into() }) }
     }
 
     /// Runs a program with its output shown only if it fails, and returns what it wrote.
     pub(crate) fn quiet(&mut self, title: &str, command: &mut Command) -> Result<Output, Failure> {
         command.stdin(Stdio::null());
-        let output = self
-            .timed(title, || command.output())
-            .map_err(|source| start(command, source))?;
+        let output = self.timed(title, || command.output()).map_err(|source| start(command, source))?;
         if output.status.success() {
             return Ok(output);
         }
@@ -111,17 +95,11 @@ impl Steps {
 
     /// Prints in one line how long each step took.
     pub(crate) fn summary(&self) {
-        let shown = self
-            .taken
-            .iter()
-            .map(|(title, time)| format!("{title} {:.1} s", time.as_secs_f64()));
+        let shown = self.taken.iter().map(|(title, time)| format!("{title} {:.1} s", time.as_secs_f64()));
         println!("> {}", shown.collect::<Vec<_>>().join(", "));
     }
 }
 
 fn start(command: &Command, source: std::io::Error) -> Failure {
-    Failure::Start {
-        program: command.get_program().to_string_lossy().into_owned(),
-        source,
-    }
+    Failure::Start { program: command.get_program().to_string_lossy().into_owned(), source }
 }

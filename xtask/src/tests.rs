@@ -15,10 +15,7 @@ const OTHER_FOLDERS: [&str; 3] = ["target", "out", ".git"];
 pub(crate) fn run(steps: &mut Steps, full: bool, arguments: &[String]) -> Result<(), Failure> {
     setup::run(steps)?;
     let mut tests = steps.cargo();
-    tests
-        .args(["test", "--workspace", "--no-fail-fast"])
-        .args(arguments)
-        .env("INSTA_UPDATE", "no");
+    tests.args(["test", "--workspace", "--no-fail-fast"]).args(arguments).env("INSTA_UPDATE", "no");
     if full {
         tests.env("CSSM_FULL", "1");
     }
@@ -27,9 +24,7 @@ pub(crate) fn run(steps: &mut Steps, full: bool, arguments: &[String]) -> Result
     let mut left = Vec::new();
     left_snapshots(steps.root(), &mut left)?;
     if !left.is_empty() {
-        let relative = left
-            .iter()
-            .map(|path| path.strip_prefix(steps.root()).unwrap_or(path).to_owned());
+        let relative = left.iter().map(|path| path.strip_prefix(steps.root()).unwrap_or(path).to_owned());
         return Err(Failure::Snapshots(relative.collect()));
     }
     generated::check(steps)

@@ -17,19 +17,10 @@ pub(crate) fn run(steps: &mut Steps) -> Result<(), Failure> {
     let mut format = steps.cargo();
     steps.run("formatting", format.args(["fmt", "--all", "--check"]))?;
     let mut lints = steps.cargo();
-    lints.args([
-        "clippy",
-        "--quiet",
-        "--workspace",
-        "--all-targets",
-        "--",
-        "-D",
-        "warnings",
-    ]);
+    lints.args(["clippy", "--quiet", "--workspace", "--all-targets", "--", "-D", "warnings"]);
     steps.run("lints", &mut lints)?;
     let mut docs = steps.cargo();
-    docs.args(["doc", "--quiet", "--workspace", "--no-deps"])
-        .env("RUSTDOCFLAGS", "-D warnings");
+    docs.args(["doc", "--quiet", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings");
     steps.run("documentation", &mut docs)?;
     dependencies(steps)?;
     shaders(steps)
@@ -38,11 +29,7 @@ pub(crate) fn run(steps: &mut Steps) -> Result<(), Failure> {
 /// Licences and advisories, where cargo-deny is installed.
 fn dependencies(steps: &mut Steps) -> Result<(), Failure> {
     let mut deny = steps.cargo();
-    if !deny
-        .args(["deny", "--version"])
-        .output()
-        .is_ok_and(|output| output.status.success())
-    {
+    if !deny.args(["deny", "--version"]).output().is_ok_and(|output| output.status.success()) {
         println!("> dependencies: SKIPPED, cargo-deny is not installed (`cargo install cargo-deny`)");
         return Ok(());
     }
@@ -55,33 +42,19 @@ fn shaders(steps: &mut Steps) -> Result<(), Failure> {
     let cases = cases(steps.root())?;
     let out = scratch("validate")?;
     let mut emit = steps.tool("shaders-gen")?;
-    emit.arg("emit")
-        .args(&cases)
-        .args(["--target", "wgsl,spirv", "--out"])
-        .arg(&out);
+    emit.arg("emit").args(&cases).args(["--target", "wgsl,spirv", "--out"]).arg(&out);
     steps.quiet("emitting", &mut emit)?;
     let mut modules = 0;
-    let mut entries: Vec<_> = fs::read_dir(&out)
-        .map_err(at(&out))?
-        .flatten()
-        .map(|entry| entry.path())
-        .collect();
+    let mut entries: Vec<_> =
+        fs::read_dir(&out).map_err(at(&out))?.flatten().map(|entry| entry.path()).collect();
     entries.sort();
-    for path in entries
-        .iter()
-        .filter(|path| path.extension().is_some_and(|extension| extension == "spv"))
-    {
+    for path in entries.iter().filter(|path| path.extension().is_some_and(|extension| extension == "spv")) {
         let mut validator = Command::new("spirv-val");
-        steps.quiet(
-            "spirv-val",
-            validator.args(["--target-env", SPIRV_ENVIRONMENT]).arg(path),
-        )?;
+        steps.quiet("spirv-val", validator.args(["--target-env", SPIRV_ENVIRONMENT]).arg(path))?;
         modules += 1;
     }
     if modules == 0 {
-        return Err(Failure::Step {
-            title: "spirv-val (no module was emitted)".into(),
-        });
+        return Err(Failure::Step { title: "spirv-val (no module was emitted)".into() });
     }
     println!("> {} cases, {modules} SPIR-V modules valid", cases.len());
     Ok(())

@@ -13,11 +13,7 @@ use super::tree::{Entry, Node, NodeKind, NumberNode, WordNode};
 /// Checks one case; its faults are pushed, and then there is no case.
 pub(super) fn case(item: &Item, faults: &mut Faults) -> Option<LightCase> {
     let before = faults.0.len();
-    let mut check = Check {
-        faults,
-        spans: Vec::new(),
-        faulty: Vec::new(),
-    };
+    let mut check = Check { faults, spans: Vec::new(), faulty: Vec::new() };
     let arguments = check.entries(FIELDS, &item.entries, "", false);
     let Check { spans, faulty, .. } = check;
 
@@ -29,12 +25,7 @@ pub(super) fn case(item: &Item, faults: &mut Faults) -> Option<LightCase> {
                 let mut fields = error.related().iter().copied().chain([top_level(&error.field)]);
                 !fields.any(|field| faulty.iter().any(|faulty| faulty == field))
             };
-            faults.0.extend(
-                errors
-                    .iter()
-                    .filter(blameless)
-                    .map(|error| placed(error, item, &spans)),
-            );
+            faults.0.extend(errors.iter().filter(blameless).map(|error| placed(error, item, &spans)));
             None
         }
     }
@@ -54,11 +45,7 @@ fn placed(error: &CaseError, item: &Item, spans: &[(String, Span)]) -> Diagnosti
         }
     };
     let diagnostic = Diagnostic::new(span, error.message.clone(), error.remedy.clone());
-    match error
-        .related()
-        .iter()
-        .find_map(|field| spans.iter().find(|(written, _)| written == field))
-    {
+    match error.related().iter().find_map(|field| spans.iter().find(|(written, _)| written == field)) {
         Some((field, span)) => diagnostic.with_secondary(*span, format!("`{field}` is declared here")),
         None => diagnostic,
     }
@@ -92,9 +79,7 @@ impl Check<'_> {
             if let Some((_, first)) = written.iter().find(|(name, _)| *name == field.name) {
                 let message = format!("field `{}` stands twice", field.name);
                 let diagnostic = Diagnostic::new(span, message, "keep one of them");
-                self.faults
-                    .0
-                    .push(diagnostic.with_secondary(*first, "first written here"));
+                self.faults.0.push(diagnostic.with_secondary(*first, "first written here"));
                 self.mark(&path);
                 continue;
             }
@@ -124,43 +109,26 @@ impl Check<'_> {
             (Some((name, span)), _) => match Field::find(fields, name) {
                 Some(field) => Some((field, *span)),
                 None => {
-                    let place = if path.is_empty() {
-                        String::new()
-                    } else {
-                        format!(" in `{path}`")
-                    };
+                    let place = if path.is_empty() { String::new() } else { format!(" in `{path}`") };
                     let message = format!("there is no field `{name}`{place}");
-                    self.faults
-                        .push(*span, message, suggest::for_field(name, fields, path));
+                    self.faults.push(*span, message, suggest::for_field(name, fields, path));
                     None
                 }
             },
             (None, _) if positional => fields.first().map(|field| (field, entry.span)),
-            (
-                None,
-                Some(Node {
-                    kind: NodeKind::Word(word),
-                    ..
-                }),
-            ) if Field::find(fields, &word.name).is_some() => {
+            (None, Some(Node { kind: NodeKind::Word(word), .. }))
+                if Field::find(fields, &word.name).is_some() =>
+            {
                 let field = Field::find(fields, &word.name)?;
                 let message = format!("field `{}` has no value", word.name);
-                self.faults.push(
-                    entry.span,
-                    message,
-                    format!("write `{}: {}`", word.name, example(field)),
-                );
+                self.faults.push(entry.span, message, format!("write `{}: {}`", word.name, example(field)));
                 None
             }
             // A value that could not be read has been reported.
             (None, None) => None,
             (None, Some(_)) => {
-                let remedy = format!(
-                    "write `name: value`; the names here are {}",
-                    suggest::listed(&names)
-                );
-                self.faults
-                    .push(entry.span, "a value stands without a field name", remedy);
+                let remedy = format!("write `name: value`; the names here are {}", suggest::listed(&names));
+                self.faults.push(entry.span, "a value stands without a field name", remedy);
                 None
             }
         }
@@ -171,25 +139,20 @@ impl Check<'_> {
             (Kind::Count { .. } | Kind::AutoOrCount { .. }, NodeKind::Number(number)) => {
                 Value::Count(self.count(field, number, path)?)
             }
-            (Kind::AutoOrCount { .. }, NodeKind::Word(word)) if word.name == "auto" => self
-                .choice(&[Choice::plain("auto", "")], word, path)
-                .map(Value::Word)?,
+            (Kind::AutoOrCount { .. }, NodeKind::Word(word)) if word.name == "auto" => {
+                self.choice(&[Choice::plain("auto", "")], word, path).map(Value::Word)?
+            }
             (Kind::Number { unit, .. }, NodeKind::Number(number)) => self.quantity(*unit, number, path)?,
             (Kind::Size { .. }, NodeKind::Size(width, height)) => {
                 let (width, height) = self.size(field, width, height, path)?;
                 Value::Size(width, height)
             }
             (Kind::SizeList { min, max }, NodeKind::List(nodes)) => {
-                let side = Field {
-                    kind: Kind::Size { min: *min, max: *max },
-                    ..*field
-                };
-                let sizes = nodes
-                    .iter()
-                    .map(|node| match self.value(&side, node.as_ref()?, path) {
-                        Some(Value::Size(width, height)) => Some((width, height)),
-                        _ => None,
-                    });
+                let side = Field { kind: Kind::Size { min: *min, max: *max }, ..*field };
+                let sizes = nodes.iter().map(|node| match self.value(&side, node.as_ref()?, path) {
+                    Some(Value::Size(width, height)) => Some((width, height)),
+                    _ => None,
+                });
                 // Check every entry before giving up on the list.
                 let sizes: Vec<_> = sizes.collect();
                 Value::Sizes(sizes.into_iter().collect::<Option<_>>()?)
@@ -214,8 +177,7 @@ impl Check<'_> {
         match field.kind.check(&value) {
             Ok(()) => Some(value),
             Err(schema::Fault { message, remedy }) => {
-                self.faults
-                    .push(node.span, format!("`{path}`: {message}"), remedy);
+                self.faults.push(node.span, format!("`{path}`: {message}"), remedy);
                 None
             }
         }
@@ -226,24 +188,16 @@ impl Check<'_> {
         let field = path.rsplit('.').next().unwrap_or(path);
         let Some(choice) = Choice::find(choices, &word.name) else {
             let message = format!("`{path}` cannot be `{}`", word.name);
-            self.faults.push(
-                word.span,
-                message,
-                suggest::for_choice(&word.name, choices, field),
-            );
+            self.faults.push(word.span, message, suggest::for_choice(&word.name, choices, field));
             return None;
         };
         if let ([], [first, ..]) = (choice.arguments, word.arguments.as_slice()) {
             let message = format!("`{}` takes no arguments", choice.name);
-            self.faults
-                .push(first.span, message, format!("write `{}`", choice.name));
+            self.faults.push(first.span, message, format!("write `{}`", choice.name));
             return None;
         }
         let arguments = self.entries(choice.arguments, &word.arguments, path, word.positional);
-        Some(Word {
-            name: choice.name,
-            arguments,
-        })
+        Some(Word { name: choice.name, arguments })
     }
 
     /// Chosen names in a list, each once.
@@ -269,9 +223,7 @@ impl Check<'_> {
                     Some((_, first)) => {
                         let message = format!("`{}` stands twice in the list", word.name);
                         let diagnostic = Diagnostic::new(node.span, message, "name it once");
-                        self.faults
-                            .0
-                            .push(diagnostic.with_secondary(*first, "first named here"));
+                        self.faults.0.push(diagnostic.with_secondary(*first, "first named here"));
                         sound = false;
                     }
                     None => words.push((word, node.span)),
@@ -286,8 +238,7 @@ impl Check<'_> {
     fn count(&mut self, field: &Field, number: &NumberNode, path: &str) -> Option<u32> {
         if let Some((unit, span)) = &number.unit {
             let message = format!("`{path}` takes no unit, but `{unit}` follows");
-            self.faults
-                .push(*span, message, format!("write `{}`", number.text));
+            self.faults.push(*span, message, format!("write `{}`", number.text));
             return None;
         }
         let text = &number.text;
@@ -296,12 +247,7 @@ impl Check<'_> {
             None if number.value < 0.0 => Err(format!("`{path}`: {text} is negative")),
             None => Err(format!("`{path}`: {text} is not a whole number")),
         };
-        count
-            .map_err(|message| {
-                self.faults
-                    .push(number.span, message, format!("use {}", field.kind))
-            })
-            .ok()
+        count.map_err(|message| self.faults.push(number.span, message, format!("use {}", field.kind))).ok()
     }
 
     fn size(
@@ -324,16 +270,12 @@ impl Check<'_> {
             return Some(Value::Number(value));
         }
         let (span, message, remedy) = match (&number.unit, unit) {
-            (Some((name, span)), Unit::None) => (
-                *span,
-                format!("`{path}` takes no unit, but `{name}` follows"),
-                format!("write `{text}`"),
-            ),
-            (Some((name, span)), _) => (
-                *span,
-                format!("`{path}`: `{name}` is not a unit here"),
-                format!("use {units}"),
-            ),
+            (Some((name, span)), Unit::None) => {
+                (*span, format!("`{path}` takes no unit, but `{name}` follows"), format!("write `{text}`"))
+            }
+            (Some((name, span)), _) => {
+                (*span, format!("`{path}`: `{name}` is not a unit here"), format!("use {units}"))
+            }
             (None, _) => {
                 let remedy = format!("write `{text} {}`; units are {units}", unit.base_name());
                 (number.span, format!("`{path}`: {text} has no unit"), remedy)
@@ -361,8 +303,7 @@ impl Check<'_> {
             (kind, _, Default::Absent(absent)) => format!("use {kind}; left out, {absent}"),
             (kind, ..) => format!("use {kind}"),
         };
-        self.faults
-            .push(node.span, format!("`{}` cannot be {found}", field.name), remedy);
+        self.faults.push(node.span, format!("`{}` cannot be {found}", field.name), remedy);
     }
 
     fn mark(&mut self, path: &str) {
@@ -374,12 +315,7 @@ impl Check<'_> {
 fn example(field: &Field) -> String {
     match (field.default, field.kind) {
         (Default::Value(text), _) => text.into(),
-        (
-            _,
-            Kind::Number {
-                unit: Unit::Length, ..
-            },
-        ) => "1000 m".into(),
+        (_, Kind::Number { unit: Unit::Length, .. }) => "1000 m".into(),
         (_, Kind::Choice([first, ..])) => first.name.into(),
         (_, Kind::ChoiceList([first, ..])) => format!("[{}]", first.name),
         (_, Kind::SizeList { .. }) => "[1024 x 1024, ..]".into(),
@@ -389,11 +325,7 @@ fn example(field: &Field) -> String {
 }
 
 fn join(path: &str, name: &str) -> String {
-    if path.is_empty() {
-        name.into()
-    } else {
-        format!("{path}.{name}")
-    }
+    if path.is_empty() { name.into() } else { format!("{path}.{name}") }
 }
 
 fn top_level(path: &str) -> &str {

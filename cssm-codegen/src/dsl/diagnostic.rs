@@ -19,12 +19,7 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// A fault at one place.
     pub fn new(span: Span, message: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self {
-            message: message.into(),
-            remedy: remedy.into(),
-            span,
-            secondary: None,
-        }
+        Self { message: message.into(), remedy: remedy.into(), span, secondary: None }
     }
 
     /// The fault with another place that belongs to it.

@@ -42,12 +42,9 @@ fn item<'a>(tokens: &'a [TokenTree], faults: &mut Faults) -> (Option<Item>, &'a 
     let mut doc = Vec::new();
     loop {
         match rest {
-            [
-                TokenTree::Punct(hash),
-                TokenTree::Punct(bang),
-                TokenTree::Group(group),
-                behind @ ..,
-            ] if hash.as_char() == '#' && bang.as_char() == '!' => {
+            [TokenTree::Punct(hash), TokenTree::Punct(bang), TokenTree::Group(group), behind @ ..]
+                if hash.as_char() == '#' && bang.as_char() == '!' =>
+            {
                 if doc_text(&[rest[0].clone(), group.clone().into()]).is_none() {
                     faults.push(group.span(), "a file takes no attribute", "leave it out");
                 }
@@ -86,39 +83,23 @@ fn item<'a>(tokens: &'a [TokenTree], faults: &mut Faults) -> (Option<Item>, &'a 
     if let (true, [TokenTree::Group(group), behind @ ..]) = (public, rest)
         && group.delimiter() == Delimiter::Parenthesis
     {
-        faults.push(
-            group.span(),
-            "a case is `pub` or private",
-            "write `pub case`, or leave `pub` out",
-        );
+        faults.push(group.span(), "a case is `pub` or private", "write `pub case`, or leave `pub` out");
         rest = behind;
     }
 
     // Take the word, the name and the body.
     match rest {
-        [
-            TokenTree::Ident(word),
-            TokenTree::Ident(name),
-            TokenTree::Group(body),
-            behind @ ..,
-        ] if *word == "case" && body.delimiter() == Delimiter::Brace => {
+        [TokenTree::Ident(word), TokenTree::Ident(name), TokenTree::Group(body), behind @ ..]
+            if *word == "case" && body.delimiter() == Delimiter::Brace =>
+        {
             let entries = tree::entries(body.stream(), 1, faults);
             let doc = doc.join("\n");
-            let item = Item {
-                name: name.to_string(),
-                name_span: name.span(),
-                doc,
-                public,
-                entries,
-            };
+            let item = Item { name: name.to_string(), name_span: name.span(), doc, public, entries };
             (Some(item), behind)
         }
         _ => {
             misshapen(rest, tokens, faults);
-            let body = rest
-                .iter()
-                .position(is_body)
-                .map_or(rest.len(), |index| index + 1);
+            let body = rest.iter().position(is_body).map_or(rest.len(), |index| index + 1);
             (None, &rest[body..])
         }
     }
@@ -138,12 +119,9 @@ fn misshapen(rest: &[TokenTree], tokens: &[TokenTree], faults: &mut Faults) {
             let remedy = format!("write its fields in braces: `case {name} {{ .. }}`");
             faults.push(name.span(), format!("case `{name}` has no body"), remedy);
         }
-        [
-            TokenTree::Ident(word),
-            TokenTree::Ident(name),
-            TokenTree::Group(body),
-            ..,
-        ] if is_body_group(body) => {
+        [TokenTree::Ident(word), TokenTree::Ident(name), TokenTree::Group(body), ..]
+            if is_body_group(body) =>
+        {
             faults.push(
                 word.span(),
                 format!("`{word}` does not start a case"),
@@ -158,18 +136,10 @@ fn misshapen(rest: &[TokenTree], tokens: &[TokenTree], faults: &mut Faults) {
             );
         }
         [TokenTree::Ident(word), next, ..] if *word == "case" => {
-            faults.push(
-                next.span(),
-                format!("`{}` is no case name", tree::shown(next)),
-                SHAPE,
-            );
+            faults.push(next.span(), format!("`{}` is no case name", tree::shown(next)), SHAPE);
         }
         [first, ..] => {
-            faults.push(
-                first.span(),
-                format!("`{}` does not start a case", tree::shown(first)),
-                SHAPE,
-            );
+            faults.push(first.span(), format!("`{}` does not start a case", tree::shown(first)), SHAPE);
         }
         [] => {
             let last = tokens.last().map_or_else(Span::call_site, TokenTree::span);
@@ -182,19 +152,10 @@ fn misshapen(rest: &[TokenTree], tokens: &[TokenTree], faults: &mut Faults) {
 fn doc_text(attribute: &[TokenTree]) -> Option<String> {
     let stream: TokenStream = attribute.iter().cloned().collect();
     let attributes = Attribute::parse_outer.parse2(stream).ok()?;
-    let [
-        Attribute {
-            meta: Meta::NameValue(pair),
-            ..
-        },
-    ] = attributes.as_slice()
-    else {
+    let [Attribute { meta: Meta::NameValue(pair), .. }] = attributes.as_slice() else {
         return None;
     };
-    let Expr::Lit(ExprLit {
-        lit: Lit::Str(text), ..
-    }) = &pair.value
-    else {
+    let Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) = &pair.value else {
         return None;
     };
     if !pair.path.is_ident("doc") {
@@ -207,9 +168,7 @@ fn doc_text(attribute: &[TokenTree]) -> Option<String> {
     }
 
     // A block comment: take the customary stars off.
-    let lines = text
-        .lines()
-        .map(|text| line(text.trim_start().trim_start_matches('*')));
+    let lines = text.lines().map(|text| line(text.trim_start().trim_start_matches('*')));
     Some(lines.collect::<Vec<_>>().join("\n"))
 }
 

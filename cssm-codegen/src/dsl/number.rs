@@ -21,10 +21,7 @@ impl Literal {
     pub(super) fn split(text: &str) -> Result<Self, (String, String)> {
         // Refuse what other languages write here.
         if !text.starts_with(|first: char| first.is_ascii_digit()) {
-            return Err((
-                format!("{text} is no number and no name"),
-                "write names without quotes".into(),
-            ));
+            return Err((format!("{text} is no number and no name"), "write names without quotes".into()));
         }
         let radix = match text.as_bytes().get(1) {
             _ if !text.starts_with('0') => None,
@@ -44,9 +41,7 @@ impl Literal {
         // Split behind the digits, one fraction and one exponent.
         let digits_end = |from: usize| {
             let rest = &text[from..];
-            from + rest
-                .find(|letter: char| !letter.is_ascii_digit() && letter != '_')
-                .unwrap_or(rest.len())
+            from + rest.find(|letter: char| !letter.is_ascii_digit() && letter != '_').unwrap_or(rest.len())
         };
         let mut end = digits_end(0);
         let mut is_whole = true;
@@ -66,18 +61,10 @@ impl Literal {
         let plain = digits.replace('_', "");
         let value = plain.parse().unwrap_or(f64::INFINITY);
         if !f64::is_finite(value) {
-            return Err((
-                format!("`{text}` is too large for a number"),
-                "use a smaller number".into(),
-            ));
+            return Err((format!("`{text}` is too large for a number"), "use a smaller number".into()));
         }
         let whole = is_whole.then(|| plain.parse().unwrap_or(u64::MAX));
-        Ok(Self {
-            digits: digits.into(),
-            value,
-            whole,
-            suffix: suffix.into(),
-        })
+        Ok(Self { digits: digits.into(), value, whole, suffix: suffix.into() })
     }
 }
 
@@ -92,17 +79,11 @@ mod tests {
 
     #[test]
     fn splits_numbers_from_what_is_glued_to_them() {
-        assert_eq!(
-            parts("2048x1024"),
-            ("2048".into(), 2048.0, Some(2048), "x1024".into())
-        );
+        assert_eq!(parts("2048x1024"), ("2048".into(), 2048.0, Some(2048), "x1024".into()));
         assert_eq!(parts("20m"), ("20".into(), 20.0, Some(20), "m".into()));
         assert_eq!(parts("20ev"), ("20".into(), 20.0, Some(20), "ev".into()));
         assert_eq!(parts("1.5e3km"), ("1.5e3".into(), 1500.0, None, "km".into()));
-        assert_eq!(
-            parts("2_048"),
-            ("2_048".into(), 2048.0, Some(2048), String::new())
-        );
+        assert_eq!(parts("2_048"), ("2_048".into(), 2048.0, Some(2048), String::new()));
         assert_eq!(parts("1e-3"), ("1e-3".into(), 1e-3, None, String::new()));
         assert_eq!(parts("99999999999999999999").2, Some(u64::MAX));
     }

@@ -7,11 +7,7 @@ use cssm_core::schema::{Arguments, Field, Kind, Unit, Value, Word};
 /// The declaration of a case with every field written out; parsing it gives an equal case.
 pub fn print(case: &LightCase) -> String {
     let mut text = String::new();
-    let doc = if case.doc.is_empty() {
-        ""
-    } else {
-        case.doc.as_str()
-    };
+    let doc = if case.doc.is_empty() { "" } else { case.doc.as_str() };
     for line in doc.split('\n').filter(|_| !doc.is_empty()) {
         text.push_str(format!("/// {line}").trim_end());
         text.push('\n');
@@ -35,18 +31,12 @@ fn written(kind: &Kind, value: &Value) -> String {
         (_, Value::Number(number)) => quantity(*number, Unit::None),
         (_, Value::Size(width, height)) => format!("{width} x {height}"),
         (_, Value::Sizes(sizes)) => {
-            let sizes: Vec<_> = sizes
-                .iter()
-                .map(|(width, height)| format!("{width} x {height}"))
-                .collect();
+            let sizes: Vec<_> = sizes.iter().map(|(width, height)| format!("{width} x {height}")).collect();
             format!("[{}]", sizes.join(", "))
         }
         (Kind::Choice(choices) | Kind::ChoiceList(choices), Value::Word(word)) => word_text(
             word,
-            choices
-                .iter()
-                .find(|choice| choice.name == word.name)
-                .map_or(&[], |c| c.arguments),
+            choices.iter().find(|choice| choice.name == word.name).map_or(&[], |c| c.arguments),
         ),
         (_, Value::Word(word)) => word.name.into(),
         (Kind::ChoiceList(choices), Value::Words(words)) => {
@@ -54,10 +44,7 @@ fn written(kind: &Kind, value: &Value) -> String {
             format!("[{}]", words.iter().map(word).collect::<Vec<_>>().join(", "))
         }
         (_, Value::Words(words)) => {
-            format!(
-                "[{}]",
-                words.iter().map(|word| word.name).collect::<Vec<_>>().join(", ")
-            )
+            format!("[{}]", words.iter().map(|word| word.name).collect::<Vec<_>>().join(", "))
         }
         (Kind::Group(fields), Value::Group(group)) => braces(fields, group),
         (_, Value::Group(group)) => braces(&[], group),
@@ -85,9 +72,5 @@ fn braces(fields: &[Field], arguments: &Arguments) -> String {
 fn quantity(number: f64, unit: Unit) -> String {
     let digits = format!("{number:?}");
     let digits = digits.strip_suffix(".0").unwrap_or(&digits);
-    if unit == Unit::None {
-        digits.into()
-    } else {
-        format!("{digits} {}", unit.base_name())
-    }
+    if unit == Unit::None { digits.into() } else { format!("{digits} {}", unit.base_name()) }
 }

@@ -45,11 +45,7 @@ pub fn reference() -> String {
     for field in FIELDS {
         page.push_str(&format!("\n### `{}`\n\n", field.name));
         page.push_str(&sentence(field.summary));
-        page.push_str(&format!(
-            "\n\n- Takes {}.\n- Default: {}.\n",
-            takes(&field.kind),
-            default(field)
-        ));
+        page.push_str(&format!("\n\n- Takes {}.\n- Default: {}.\n", takes(&field.kind), default(field)));
         detail(&mut page, &field.kind);
     }
     page
@@ -80,9 +76,8 @@ fn detail(page: &mut String, kind: &Kind) {
 fn table(page: &mut String, fields: &[Field]) {
     page.push_str("| name | takes | default | meaning |\n|---|---|---|---|\n");
     for field in fields {
-        let row = [takes(&field.kind), default(field), field.summary.into()]
-            .map(|text| cell(&text))
-            .join(" | ");
+        let row =
+            [takes(&field.kind), default(field), field.summary.into()].map(|text| cell(&text)).join(" | ");
         page.push_str(&format!("| `{}` | {row} |\n", field.name));
     }
 
@@ -91,10 +86,7 @@ fn table(page: &mut String, fields: &[Field]) {
         let Kind::Choice(choices) = field.kind else {
             continue;
         };
-        page.push_str(&format!(
-            "\nValues of `{}`:\n\n| value | meaning |\n|---|---|\n",
-            field.name
-        ));
+        page.push_str(&format!("\nValues of `{}`:\n\n| value | meaning |\n|---|---|\n", field.name));
         for choice in choices {
             page.push_str(&format!("| `{}` | {} |\n", choice.name, cell(choice.summary)));
         }
@@ -107,12 +99,8 @@ fn table(page: &mut String, fields: &[Field]) {
 
 fn takes(kind: &Kind) -> String {
     match kind {
-        Kind::Number {
-            unit: Unit::Length, ..
-        } => format!("{kind}, in `mm`, `cm`, `m` or `km`"),
-        Kind::Number {
-            unit: Unit::Texels, ..
-        } => format!("{kind}, written `texel` or `texels`"),
+        Kind::Number { unit: Unit::Length, .. } => format!("{kind}, in `mm`, `cm`, `m` or `km`"),
+        Kind::Number { unit: Unit::Texels, .. } => format!("{kind}, written `texel` or `texels`"),
         kind => kind.to_string(),
     }
 }
@@ -127,10 +115,7 @@ fn default(field: &Field) -> String {
 
 fn sentence(summary: &str) -> String {
     let mut letters = summary.chars();
-    let first: String = letters
-        .next()
-        .map(|first| first.to_uppercase().collect())
-        .unwrap_or_default();
+    let first: String = letters.next().map(|first| first.to_uppercase().collect()).unwrap_or_default();
     format!("{first}{}.", letters.as_str())
 }
 

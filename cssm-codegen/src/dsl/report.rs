@@ -34,11 +34,7 @@ pub struct Finding {
 impl Report {
     pub(super) fn new(file: &str, text: &str, mut findings: Vec<Finding>) -> Self {
         findings.sort_by_key(|finding| (finding.bytes.start, finding.bytes.end));
-        Self {
-            file: file.into(),
-            text: text.into(),
-            findings,
-        }
+        Self { file: file.into(), text: text.into(), findings }
     }
 
     /// The faults, in the order of the text.
@@ -83,15 +79,12 @@ impl Report {
             message: &finding.message,
             remedy: &finding.remedy,
             place: place(&finding.bytes),
-            secondary: finding.secondary.as_ref().map(|(bytes, label)| JsonLabel {
-                label,
-                place: place(bytes),
-            }),
+            secondary: finding
+                .secondary
+                .as_ref()
+                .map(|(bytes, label)| JsonLabel { label, place: place(bytes) }),
         });
-        let report = JsonReport {
-            file: &self.file,
-            errors: errors.collect(),
-        };
+        let report = JsonReport { file: &self.file, errors: errors.collect() };
         // Strings and numbers always have a JSON form.
         serde_json::to_string_pretty(&report).unwrap_or_default()
     }
@@ -112,10 +105,7 @@ impl Finding {
             message: diagnostic.message.clone(),
             remedy: diagnostic.remedy.clone(),
             bytes: diagnostic.span.byte_range(),
-            secondary: diagnostic
-                .secondary
-                .as_ref()
-                .map(|(span, label)| (span.byte_range(), label.clone())),
+            secondary: diagnostic.secondary.as_ref().map(|(span, label)| (span.byte_range(), label.clone())),
         }
     }
 }

@@ -12,12 +12,7 @@ const FAULT_LIMIT: usize = 20;
 
 /// The faults of the text's letters and delimiters; none means that the text can be lexed, odd corners aside.
 pub(super) fn scan(text: &str) -> Vec<Finding> {
-    let mut scan = Scan {
-        text,
-        open: Vec::new(),
-        suspect: None,
-        findings: Vec::new(),
-    };
+    let mut scan = Scan { text, open: Vec::new(), suspect: None, findings: Vec::new() };
     let mut at = 0;
     while let Some(letter) = text.get(at..).and_then(|rest| rest.chars().next()) {
         at = scan.step(at, letter);
@@ -49,16 +44,14 @@ impl Scan<'_> {
             '"' => self.quoted(at),
             '\'' | '`' | '\\' => {
                 let message = format!("`{letter}` does not belong in a declaration");
-                self.findings
-                    .push(finding(message, "write names and numbers without quotes", at, 1));
+                self.findings.push(finding(message, "write names and numbers without quotes", at, 1));
                 next
             }
             '(' | '[' | '{' => {
                 self.open.push((at, letter));
                 if self.open.len() == NESTING_LIMIT + 1 {
                     let message = format!("brackets are nested more than {NESTING_LIMIT} deep");
-                    self.findings
-                        .push(finding(message, "remove the outer or inner ones", at, 1));
+                    self.findings.push(finding(message, "remove the outer or inner ones", at, 1));
                 }
                 next
             }
@@ -68,15 +61,12 @@ impl Scan<'_> {
             }
             _ if !(letter.is_ascii() || (at == 0 && letter == '\u{feff}')) => {
                 let (message, remedy) = foreign(letter);
-                self.findings
-                    .push(finding(message, remedy, at, letter.len_utf8()));
+                self.findings.push(finding(message, remedy, at, letter.len_utf8()));
                 next
             }
             _ if letter.is_ascii_control() && !letter.is_ascii_whitespace() => {
-                let message = format!(
-                    "control character U+{:04X} does not belong in a declaration",
-                    u32::from(letter)
-                );
+                let message =
+                    format!("control character U+{:04X} does not belong in a declaration", u32::from(letter));
                 self.findings.push(finding(message, "delete it", at, 1));
                 next
             }
@@ -102,12 +92,7 @@ impl Scan<'_> {
                 at += rest.chars().next().map_or(1, char::len_utf8);
             }
         }
-        self.findings.push(finding(
-            "the comment is never closed",
-            "write `*/` where it ends",
-            start,
-            2,
-        ));
+        self.findings.push(finding("the comment is never closed", "write `*/` where it ends", start, 2));
         // What the comment swallowed is not missing.
         self.open.clear();
         self.text.len()
@@ -124,8 +109,7 @@ impl Scan<'_> {
             }
         }
         let remedy = "write names and numbers without quotes";
-        self.findings
-            .push(finding("the quoted text is never closed", remedy, start, 1));
+        self.findings.push(finding("the quoted text is never closed", remedy, start, 1));
         let rest = &self.text[start..];
         start + rest.find('\n').unwrap_or(rest.len())
     }
@@ -156,8 +140,7 @@ impl Scan<'_> {
             }
             None => {
                 let message = format!("`{letter}` closes nothing");
-                self.findings
-                    .push(finding(message, "delete it, or open its partner before", at, 1));
+                self.findings.push(finding(message, "delete it, or open its partner before", at, 1));
             }
         }
     }
@@ -174,8 +157,7 @@ impl Scan<'_> {
             return;
         }
         let open = self.open.iter().take(FAULT_LIMIT);
-        self.findings
-            .extend(open.map(|&(open, letter)| never_closed(open, letter)));
+        self.findings.extend(open.map(|&(open, letter)| never_closed(open, letter)));
     }
 
     /// The line that holds a byte.
@@ -191,12 +173,7 @@ fn indent(line: &str) -> usize {
 
 fn never_closed(open: usize, letter: char) -> Finding {
     let message = format!("`{letter}` is never closed");
-    finding(
-        message,
-        format!("write `{}` where it ends", closing(letter)),
-        open,
-        1,
-    )
+    finding(message, format!("write `{}` where it ends", closing(letter)), open, 1)
 }
 
 fn closing(open: char) -> char {
@@ -224,20 +201,9 @@ fn foreign(letter: char) -> (String, String) {
         } else {
             format!("`{letter}` ")
         };
-    (
-        format!(
-            "{shown}(U+{:04X}) does not belong in a declaration",
-            u32::from(letter)
-        ),
-        remedy.into(),
-    )
+    (format!("{shown}(U+{:04X}) does not belong in a declaration", u32::from(letter)), remedy.into())
 }
 
 fn finding(message: impl Into<String>, remedy: impl Into<String>, start: usize, length: usize) -> Finding {
-    Finding {
-        message: message.into(),
-        remedy: remedy.into(),
-        bytes: start..start + length,
-        secondary: None,
-    }
+    Finding { message: message.into(), remedy: remedy.into(), bytes: start..start + length, secondary: None }
 }

@@ -25,11 +25,7 @@ pub(super) fn for_field(name: &str, fields: &[Field], place: &str) -> String {
 /// The remedy for a choice that none of `choices` is; `field` is the field that was given it.
 pub(super) fn for_choice(name: &str, choices: &[Choice], field: &str) -> String {
     let names: Vec<_> = choices.iter().map(|choice| choice.name).collect();
-    let use_names = format!(
-        "use {}{}",
-        if names.len() > 1 { "one of " } else { "" },
-        listed(&names)
-    );
+    let use_names = format!("use {}{}", if names.len() > 1 { "one of " } else { "" }, listed(&names));
     if let Some(nearest) = nearest(name, &names) {
         return format!("did you mean `{nearest}`?");
     }
@@ -52,10 +48,7 @@ pub(super) fn listed(names: &[&str]) -> String {
 fn nearest<'a>(wrong: &str, names: &[&'a str]) -> Option<&'a str> {
     let wrong = wrong.to_ascii_lowercase().replace('-', "_");
     let likeness = |name: &str| strsim::jaro_winkler(&wrong, name);
-    let best = names
-        .iter()
-        .copied()
-        .max_by(|one, two| likeness(one).total_cmp(&likeness(two)))?;
+    let best = names.iter().copied().max_by(|one, two| likeness(one).total_cmp(&likeness(two)))?;
     (likeness(best) >= LIKENESS).then_some(best)
 }
 
@@ -66,20 +59,12 @@ fn home_of_field(name: &str) -> Option<String> {
             return Some(path.into());
         }
         let join = |part: &str| {
-            if path.is_empty() {
-                part.into()
-            } else {
-                format!("{path}.{part}")
-            }
+            if path.is_empty() { part.into() } else { format!("{path}.{part}") }
         };
         fields.iter().find_map(|field| match field.kind {
             Kind::Group(fields) => search(fields, name, &join(field.name)),
             kind => choices_of(&kind).iter().find_map(|choice| {
-                search(
-                    choice.arguments,
-                    name,
-                    &join(&format!("{}.{}", field.name, choice.name)),
-                )
+                search(choice.arguments, name, &join(&format!("{}.{}", field.name, choice.name)))
             }),
         })
     }
@@ -89,10 +74,9 @@ fn home_of_field(name: &str) -> Option<String> {
 /// `map { size: .. }` or `distribution: bands { count: .. }`.
 fn written(home: &str, name: &str) -> String {
     match home.split_once('.') {
-        Some((field, rest)) => format!(
-            "{field}: {} {{ {name}: .. }}",
-            rest.rsplit('.').next().unwrap_or(rest)
-        ),
+        Some((field, rest)) => {
+            format!("{field}: {} {{ {name}: .. }}", rest.rsplit('.').next().unwrap_or(rest))
+        }
         None => format!("{home}: {{ {name}: .. }}"),
     }
 }

@@ -65,10 +65,7 @@ pub(super) struct Entry {
 /// The entries of a group in braces or parentheses.
 pub(super) fn entries(stream: TokenStream, depth: usize, faults: &mut Faults) -> Vec<Entry> {
     let tokens = flat(stream);
-    pieces(&tokens, true, faults)
-        .into_iter()
-        .map(|piece| entry(piece, depth, faults))
-        .collect()
+    pieces(&tokens, true, faults).into_iter().map(|piece| entry(piece, depth, faults)).collect()
 }
 
 /// The tokens without the invisible groups that macros put around what they insert.
@@ -96,11 +93,7 @@ fn pieces<'a>(tokens: &'a [TokenTree], named: bool, faults: &mut Faults) -> Vec<
             if is_punct(Some(token), ';') {
                 faults.push(token.span(), "entries are not separated by `;`", "write `,`");
             } else if start == index {
-                faults.push(
-                    token.span(),
-                    "nothing stands before the comma",
-                    "delete the comma",
-                );
+                faults.push(token.span(), "nothing stands before the comma", "delete the comma");
             }
             pieces.push(&tokens[start..index]);
             start = index + 1;
@@ -134,11 +127,7 @@ fn entry(piece: &[TokenTree], depth: usize, faults: &mut Faults) -> Entry {
             if matches!(sign.as_char(), ':' | '=') =>
         {
             if sign.as_char() == '=' {
-                faults.push(
-                    sign.span(),
-                    format!("`{name}` is followed by `=`"),
-                    format!("write `{name}:`"),
-                );
+                faults.push(sign.span(), format!("`{name}` is followed by `=`"), format!("write `{name}:`"));
             }
             (Some((name.to_string(), name.span())), value)
         }
@@ -146,22 +135,10 @@ fn entry(piece: &[TokenTree], depth: usize, faults: &mut Faults) -> Entry {
     };
     match (&name, value) {
         (Some((name, span)), []) => {
-            faults.push(
-                *span,
-                format!("field `{name}` has no value"),
-                "write one after the colon",
-            );
-            Entry {
-                name: Some((name.clone(), *span)),
-                value: None,
-                span: *span,
-            }
+            faults.push(*span, format!("field `{name}` has no value"), "write one after the colon");
+            Entry { name: Some((name.clone(), *span)), value: None, span: *span }
         }
-        _ => Entry {
-            value: node(value, depth, faults),
-            name,
-            span,
-        },
+        _ => Entry { value: node(value, depth, faults), name, span },
     }
 }
 
@@ -173,21 +150,12 @@ fn node(tokens: &[TokenTree], depth: usize, faults: &mut Faults) -> Option<Node>
         {
             let arguments = nested(group, depth, faults)?;
             let positional = group.delimiter() == Delimiter::Parenthesis;
-            let word = WordNode {
-                name: name.to_string(),
-                span: name.span(),
-                arguments,
-                positional,
-            };
+            let word = WordNode { name: name.to_string(), span: name.span(), arguments, positional };
             (NodeKind::Word(word), rest)
         }
         [TokenTree::Ident(name), rest @ ..] => {
-            let word = WordNode {
-                name: name.to_string(),
-                span: name.span(),
-                arguments: vec![],
-                positional: false,
-            };
+            let word =
+                WordNode { name: name.to_string(), span: name.span(), arguments: vec![], positional: false };
             (NodeKind::Word(word), rest)
         }
         [TokenTree::Group(group), rest @ ..] => match group.delimiter() {
@@ -195,10 +163,7 @@ fn node(tokens: &[TokenTree], depth: usize, faults: &mut Faults) -> Option<Node>
                 let depth = deeper(group, depth, faults)?;
                 let tokens = flat(group.stream());
                 let entries = pieces(&tokens, false, faults).into_iter();
-                (
-                    NodeKind::List(entries.map(|piece| node(piece, depth, faults)).collect()),
-                    rest,
-                )
+                (NodeKind::List(entries.map(|piece| node(piece, depth, faults)).collect()), rest)
             }
             Delimiter::Brace => (NodeKind::Group(nested(group, depth, faults)?), rest),
             _ => {
@@ -216,11 +181,7 @@ fn node(tokens: &[TokenTree], depth: usize, faults: &mut Faults) -> Option<Node>
                 '.' => format!("write `0.{digits}`"),
                 _ => format!("write `{digits}`"),
             };
-            faults.push(
-                dot.span(),
-                format!("a number cannot begin with `{}`", dot.as_char()),
-                remedy,
-            );
+            faults.push(dot.span(), format!("a number cannot begin with `{}`", dot.as_char()), remedy);
             return None;
         }
         [other, ..] => {
@@ -234,10 +195,7 @@ fn node(tokens: &[TokenTree], depth: usize, faults: &mut Faults) -> Option<Node>
         [] => return None,
     };
     match rest {
-        [] => Some(Node {
-            span: joined(tokens),
-            kind,
-        }),
+        [] => Some(Node { span: joined(tokens), kind }),
         [first, ..] => {
             leftover(first, rest, &kind, faults);
             None
@@ -254,9 +212,7 @@ fn number_or_size<'a>(tokens: &'a [TokenTree], faults: &mut Faults) -> Option<(N
         [TokenTree::Ident(next), behind @ ..] if suffix.is_empty() => (next.to_string(), behind),
         _ => (suffix.clone(), rest),
     };
-    let Some(height) = glued
-        .strip_prefix('x')
-        .filter(|height| !height.starts_with(char::is_alphabetic))
+    let Some(height) = glued.strip_prefix('x').filter(|height| !height.starts_with(char::is_alphabetic))
     else {
         let (number, rest) = with_unit(first, suffix, rest);
         return Some((NodeKind::Number(number), rest));
@@ -267,18 +223,11 @@ fn number_or_size<'a>(tokens: &'a [TokenTree], faults: &mut Faults) -> Option<(N
         let (height, suffix) = literal(height, false, span, faults)?;
         (height, suffix, behind)
     } else if height.is_empty()
-        && matches!(
-            behind,
-            [TokenTree::Literal(_), ..] | [TokenTree::Punct(_), TokenTree::Literal(_), ..]
-        )
+        && matches!(behind, [TokenTree::Literal(_), ..] | [TokenTree::Punct(_), TokenTree::Literal(_), ..])
     {
         number(behind, faults)?
     } else {
-        faults.push(
-            joined(before),
-            "the size has no height",
-            "write both sides, such as `2048 x 2048`",
-        );
+        faults.push(joined(before), "the size has no height", "write both sides, such as `2048 x 2048`");
         return None;
     };
     let (height, rest) = with_unit(height, suffix, rest);
@@ -293,11 +242,7 @@ fn number<'a>(tokens: &'a [TokenTree], faults: &mut Faults) -> Option<(NumberNod
         }
         [TokenTree::Literal(token), rest @ ..] => (false, token, rest),
         [other, ..] => {
-            faults.push(
-                other.span(),
-                format!("`{other}` does not belong here"),
-                "write a number",
-            );
+            faults.push(other.span(), format!("`{other}` does not belong here"), "write a number");
             return None;
         }
         [] => return None,
@@ -309,12 +254,7 @@ fn number<'a>(tokens: &'a [TokenTree], faults: &mut Faults) -> Option<(NumberNod
 
 fn literal(text: &str, negative: bool, span: Span, faults: &mut Faults) -> Option<(NumberNode, String)> {
     match Literal::split(text) {
-        Ok(Literal {
-            digits,
-            value,
-            whole,
-            suffix,
-        }) => {
+        Ok(Literal { digits, value, whole, suffix }) => {
             let number = NumberNode {
                 text: if negative { format!("-{digits}") } else { digits },
                 value: if negative { -value } else { value },

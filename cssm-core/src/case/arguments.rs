@@ -34,18 +34,10 @@ impl LightCase {
             ("map", Some(Value::Group(map))),
             ("filter", Some(Value::Word(Word::plain(self.filter.name())))),
             ("bias", Some(Value::Word(self.bias.word()))),
-            (
-                "resolve",
-                Some(Value::Words(self.resolve.iter().map(Resolve::word).collect())),
-            ),
+            ("resolve", Some(Value::Words(self.resolve.iter().map(Resolve::word).collect()))),
             ("prefix", Some(Value::Name(self.prefix.clone()))),
         ];
-        Arguments(
-            fields
-                .into_iter()
-                .filter_map(|(name, value)| Some((name, value?)))
-                .collect(),
-        )
+        Arguments(fields.into_iter().filter_map(|(name, value)| Some((name, value?))).collect())
     }
 }
 
@@ -59,10 +51,7 @@ impl FarKind {
     }
 
     pub(super) fn of_view(view: Option<&Word>) -> Self {
-        match view
-            .and_then(|view| view.arguments.word("far"))
-            .map(|far| far.name)
-        {
+        match view.and_then(|view| view.arguments.word("far")).map(|far| far.name) {
             Some("finite") => Self::Finite,
             _ => Self::Infinite,
         }
@@ -100,16 +89,9 @@ impl Bias {
         let number = |name: &str| word.arguments.number(name).unwrap_or(0.0);
         match word.name {
             "none" => Self::None,
-            "constant" => Self::Constant {
-                along_light_metres: number("along_light"),
-            },
-            "slope" => Self::Slope {
-                texels: number("scale"),
-            },
-            "world_texel" => Self::WorldTexel {
-                a_metres: number("a"),
-                b_texels: number("b"),
-            },
+            "constant" => Self::Constant { along_light_metres: number("along_light") },
+            "slope" => Self::Slope { texels: number("scale") },
+            "world_texel" => Self::WorldTexel { a_metres: number("a"), b_texels: number("b") },
             _ => Self::ReceiverPlane,
         }
     }
@@ -142,9 +124,7 @@ impl Resolve {
     /// Reads a word whose defaults are filled in.
     pub(super) fn of_word(word: &Word) -> Self {
         if word.name == "function" {
-            return Self::Function {
-                group: word.arguments.count("group").unwrap_or(0),
-            };
+            return Self::Function { group: word.arguments.count("group").unwrap_or(0) };
         }
         let name = |field: &str| word.arguments.word(field).map(|word| word.name);
         Self::Mask {
@@ -172,12 +152,6 @@ impl MapSpec {
             _ => DepthFormat::Depth32Float,
         };
         let count = |name: &str| map.and_then(|map| map.count(name));
-        Self {
-            width,
-            height,
-            columns: count("columns"),
-            format,
-            gutter: count("gutter"),
-        }
+        Self { width, height, columns: count("columns"), format, gutter: count("gutter") }
     }
 }

@@ -15,13 +15,7 @@ pub struct LightCaseBuilder {
 
 impl LightCaseBuilder {
     pub(super) fn new(name: &str) -> Self {
-        Self {
-            name: name.into(),
-            doc: String::new(),
-            public: true,
-            fields: Vec::new(),
-            map: Vec::new(),
-        }
+        Self { name: name.into(), doc: String::new(), public: true, fields: Vec::new(), map: Vec::new() }
     }
 
     /// Doc comment.
@@ -48,10 +42,7 @@ impl LightCaseBuilder {
 
     /// Promises that every plan is given finite scene bounds.
     pub fn scene_bounds(self, promised: bool) -> Self {
-        self.set(
-            "bounds",
-            Value::Word(Word::plain(if promised { "scene" } else { "none" })),
-        )
+        self.set("bounds", Value::Word(Word::plain(if promised { "scene" } else { "none" })))
     }
 
     /// The technique and its parameters, such as `Word::plain("camera_space")`; parameters left out take their
@@ -68,10 +59,7 @@ impl LightCaseBuilder {
 
     /// Distribution `bands(count)`, with the declared horizon for infinite far planes.
     pub fn bands(self, count: u32, horizon_metres: f64) -> Self {
-        let arguments = [
-            ("count", Value::Count(count)),
-            ("horizon", Value::Number(horizon_metres)),
-        ];
+        let arguments = [("count", Value::Count(count)), ("horizon", Value::Number(horizon_metres))];
         self.set("distribution", Value::Word(Word::with("bands", arguments)))
     }
 

@@ -21,14 +21,8 @@ pub(super) fn from_arguments(
     }
 
     // Go on with the fields that hold, and look for contradictions that involve no other field.
-    let faulty: Vec<String> = errors
-        .iter()
-        .map(|error| top_level(&error.field).to_owned())
-        .collect();
-    let sound = arguments
-        .0
-        .iter()
-        .filter(|(field, _)| !faulty.iter().any(|faulty| faulty == field));
+    let faulty: Vec<String> = errors.iter().map(|error| top_level(&error.field).to_owned()).collect();
+    let sound = arguments.0.iter().filter(|(field, _)| !faulty.iter().any(|faulty| faulty == field));
     let sound = schema::fill(FIELDS, &Arguments(sound.cloned().collect()));
     let (case, contradictions) = read(name, doc, public, &sound);
     errors.extend(contradictions.into_iter().filter(|error| {
@@ -53,10 +47,7 @@ pub(super) fn related(field: &str) -> &'static [&'static str] {
 /// The error of a technique that cannot reach infinitely far, if nothing in the case keeps receivers finite.
 fn infinite_receivers(case: &LightCase) -> Option<CaseError> {
     let bounded = case.far == FarKind::Finite || case.shadow_distance_metres.is_some() || case.scene_bounds;
-    let message = format!(
-        "technique `{}` cannot serve receivers at infinity",
-        case.technique.name
-    );
+    let message = format!("technique `{}` cannot serve receivers at infinity", case.technique.name);
     let remedy = "declare `shadow_distance: 1000 m`, `bounds: scene` or `view: perspective { far: finite }`";
     (!bounded).then(|| error("technique", message, remedy))
 }
@@ -70,33 +61,20 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
     };
     if !is_prefix(&prefix) {
         let remedy = "use lower snake case that starts and ends in a letter, such as `sun`";
-        errors.push(error(
-            "prefix",
-            format!("`{prefix}` cannot prefix shader names"),
-            remedy,
-        ));
+        errors.push(error("prefix", format!("`{prefix}` cannot prefix shader names"), remedy));
     }
 
     // Read the technique and what belongs to it.
-    let technique = arguments
-        .word("technique")
-        .cloned()
-        .unwrap_or_else(|| Word::plain("camera_space"));
+    let technique = arguments.word("technique").cloned().unwrap_or_else(|| Word::plain("camera_space"));
     let spec = technique::spec(technique.name);
     let mut configurations = arguments.words("configurations").to_vec();
     for word in &configurations {
         if Choice::find(spec.configurations, word.name).is_none() {
-            let names: Vec<_> = spec
-                .configurations
-                .iter()
-                .map(|choice| format!("`{}`", choice.name))
-                .collect();
+            let names: Vec<_> =
+                spec.configurations.iter().map(|choice| format!("`{}`", choice.name)).collect();
             errors.push(error(
                 "configurations",
-                format!(
-                    "technique `{}` has no configuration `{}`",
-                    technique.name, word.name
-                ),
+                format!("technique `{}` has no configuration `{}`", technique.name, word.name),
                 format!("use {}", names.join(", ")),
             ));
         }
@@ -152,15 +130,8 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
             format!("use `auto` or at least {reach}"),
         ));
     }
-    let reads_texture = |interface: &Resolve| {
-        matches!(
-            interface,
-            Resolve::Mask {
-                normal: MaskNormal::Texture,
-                ..
-            }
-        )
-    };
+    let reads_texture =
+        |interface: &Resolve| matches!(interface, Resolve::Mask { normal: MaskNormal::Texture, .. });
     if case.resolve.iter().any(reads_texture) && !case.bias.reads_normal() {
         errors.push(error(
             "resolve.mask.normal",
@@ -200,19 +171,11 @@ fn check_fields(fields: &'static [Field], arguments: &Arguments, path: &str, err
     for (index, (name, value)) in arguments.0.iter().enumerate() {
         let path = join(path, name);
         if arguments.0[..index].iter().any(|(earlier, _)| earlier == name) {
-            errors.push(error(
-                &path,
-                format!("field `{name}` stands twice"),
-                "keep one of them",
-            ));
+            errors.push(error(&path, format!("field `{name}` stands twice"), "keep one of them"));
         }
         match Field::find(fields, name) {
             Some(field) => check_value(&field.kind, value, &path, errors),
-            None => errors.push(error(
-                &path,
-                format!("there is no field `{name}`"),
-                "leave it out",
-            )),
+            None => errors.push(error(&path, format!("there is no field `{name}`"), "leave it out")),
         }
     }
 }
@@ -237,29 +200,17 @@ fn check_word(kind: &Kind, choices: &'static [Choice], word: &Word, path: &str, 
     match Choice::find(choices, word.name) {
         Some(choice) => check_fields(choice.arguments, &word.arguments, path, errors),
         None => {
-            errors.push(error(
-                path,
-                format!("there is no `{}` here", word.name),
-                format!("use {kind}"),
-            ));
+            errors.push(error(path, format!("there is no `{}` here", word.name), format!("use {kind}")));
         }
     }
 }
 
 fn error(field: &str, message: String, remedy: impl Into<String>) -> CaseError {
-    CaseError {
-        field: field.into(),
-        message,
-        remedy: remedy.into(),
-    }
+    CaseError { field: field.into(), message, remedy: remedy.into() }
 }
 
 fn join(path: &str, name: &str) -> String {
-    if path.is_empty() {
-        name.into()
-    } else {
-        format!("{path}.{name}")
-    }
+    if path.is_empty() { name.into() } else { format!("{path}.{name}") }
 }
 
 fn top_level(path: &str) -> &str {

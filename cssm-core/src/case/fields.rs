@@ -16,14 +16,8 @@ const MASK: &[Field] = &[
         name: "depth",
         summary: "what the engine's depth texture holds",
         kind: Kind::Choice(&[
-            Choice::plain(
-                "reversed_z",
-                "1 at the near plane, 0 at infinity, in a depth texture",
-            ),
-            Choice::plain(
-                "linear",
-                "metres along the view axis in a single-channel float texture",
-            ),
+            Choice::plain("reversed_z", "1 at the near plane, 0 at infinity, in a depth texture"),
+            Choice::plain("linear", "metres along the view axis in a single-channel float texture"),
         ]),
         default: Default::Value("reversed_z"),
     },
@@ -64,12 +58,7 @@ pub const FIELDS: &[Field] = &[
     Field {
         name: "shadow_distance",
         summary: "farthest receiver depth along the view axis",
-        kind: Kind::Number {
-            min: 0.0,
-            max: f64::INFINITY,
-            open: true,
-            unit: Unit::Length,
-        },
+        kind: Kind::Number { min: 0.0, max: f64::INFINITY, open: true, unit: Unit::Length },
         default: Default::Absent("receivers reach to the view's far plane"),
     },
     Field {
@@ -109,12 +98,7 @@ pub const FIELDS: &[Field] = &[
                 Field {
                     name: "horizon",
                     summary: "depth up to which bands have equal ratios when the far plane is infinite",
-                    kind: Kind::Number {
-                        min: 0.0,
-                        max: 1e9,
-                        open: true,
-                        unit: Unit::Length,
-                    },
+                    kind: Kind::Number { min: 0.0, max: 1e9, open: true, unit: Unit::Length },
                     default: Default::Value("100 km"),
                 },
             ],
@@ -128,10 +112,7 @@ pub const FIELDS: &[Field] = &[
             Field {
                 name: "size",
                 summary: "width x height of the whole map",
-                kind: Kind::Size {
-                    min: 64,
-                    max: MAP_SIDE_LIMIT_TEXELS,
-                },
+                kind: Kind::Size { min: 64, max: MAP_SIDE_LIMIT_TEXELS },
                 default: Default::Value("2048 x 2048"),
             },
             Field {
@@ -163,10 +144,7 @@ pub const FIELDS: &[Field] = &[
         summary: "how texels become visibility",
         kind: Kind::Choice(&[
             Choice::plain("none", "nearest texel, hard edge"),
-            Choice::plain(
-                "hardware_2x2",
-                "comparison sampler: one reference for four texels",
-            ),
+            Choice::plain("hardware_2x2", "comparison sampler: one reference for four texels"),
             Choice::plain("gather_2x2", "four texels, each compared with its own reference"),
         ]),
         default: Default::Value("gather_2x2"),
@@ -182,12 +160,7 @@ pub const FIELDS: &[Field] = &[
                 arguments: &[Field {
                     name: "along_light",
                     summary: "the distance",
-                    kind: Kind::Number {
-                        min: 0.0,
-                        max: 1e3,
-                        open: false,
-                        unit: Unit::Length,
-                    },
+                    kind: Kind::Number { min: 0.0, max: 1e3, open: false, unit: Unit::Length },
                     default: Default::Value("5 cm"),
                 }],
             },
@@ -197,12 +170,7 @@ pub const FIELDS: &[Field] = &[
                 arguments: &[Field {
                     name: "scale",
                     summary: "multiple of the local texel",
-                    kind: Kind::Number {
-                        min: 0.0,
-                        max: 64.0,
-                        open: false,
-                        unit: Unit::Texels,
-                    },
+                    kind: Kind::Number { min: 0.0, max: 64.0, open: false, unit: Unit::Texels },
                     default: Default::Value("1.5 texels"),
                 }],
             },
@@ -213,31 +181,18 @@ pub const FIELDS: &[Field] = &[
                     Field {
                         name: "a",
                         summary: "constant part along the light",
-                        kind: Kind::Number {
-                            min: 0.0,
-                            max: 1e3,
-                            open: false,
-                            unit: Unit::Length,
-                        },
+                        kind: Kind::Number { min: 0.0, max: 1e3, open: false, unit: Unit::Length },
                         default: Default::Value("1 cm"),
                     },
                     Field {
                         name: "b",
                         summary: "part that scales with the local texel",
-                        kind: Kind::Number {
-                            min: 0.0,
-                            max: 64.0,
-                            open: false,
-                            unit: Unit::Texels,
-                        },
+                        kind: Kind::Number { min: 0.0, max: 64.0, open: false, unit: Unit::Texels },
                         default: Default::Value("1.5 texels"),
                     },
                 ],
             },
-            Choice::plain(
-                "receiver_plane",
-                "exact plane of the receiver in its facet; no knob",
-            ),
+            Choice::plain("receiver_plane", "exact plane of the receiver in its facet; no knob"),
         ]),
         default: Default::Value("receiver_plane"),
     },
@@ -245,11 +200,7 @@ pub const FIELDS: &[Field] = &[
         name: "resolve",
         summary: "interfaces that the shaders offer",
         kind: Kind::ChoiceList(&[
-            Choice {
-                name: "mask",
-                summary: "a screen-space visibility pass",
-                arguments: MASK,
-            },
+            Choice { name: "mask", summary: "a screen-space visibility pass", arguments: MASK },
             Choice {
                 name: "function",
                 summary: "a WGSL function for the engine's own materials",

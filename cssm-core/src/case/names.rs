@@ -40,9 +40,7 @@ pub(super) fn default_prefix(name: &str) -> String {
         prefix.push_str("_case");
     }
     prefix.truncate(NAME_LIMIT);
-    prefix
-        .trim_end_matches(|last: char| !last.is_ascii_lowercase())
-        .into()
+    prefix.trim_end_matches(|last: char| !last.is_ascii_lowercase()).into()
 }
 
 /// The nearest case name to something that is not one: `my_sun` gives `MySun`.
@@ -50,19 +48,10 @@ pub(super) fn upper_camel(name: &str) -> String {
     let words = name.split(|letter: char| !letter.is_ascii_alphanumeric());
     let capital = |word: &str| -> String {
         let mut letters = word.chars();
-        letters
-            .next()
-            .map(|first| first.to_ascii_uppercase())
-            .into_iter()
-            .chain(letters)
-            .collect()
+        letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters).collect()
     };
     let camel: String = words.map(capital).collect();
-    if is_camel_case(&camel) {
-        camel
-    } else {
-        "Sun".into()
-    }
+    if is_camel_case(&camel) { camel } else { "Sun".into() }
 }
 
 #[cfg(test)]
@@ -89,17 +78,7 @@ mod tests {
 
     #[test]
     fn names_that_break_shaders_or_files_are_refused() {
-        for prefix in [
-            "",
-            "Sun",
-            "sun2",
-            "_sun",
-            "sun_",
-            "s__n",
-            "s\u{f6}n",
-            "2sun",
-            &"s".repeat(65),
-        ] {
+        for prefix in ["", "Sun", "sun2", "_sun", "sun_", "s__n", "s\u{f6}n", "2sun", &"s".repeat(65)] {
             assert!(!is_prefix(prefix), "{prefix}");
         }
         for name in ["", "sun", "Self", "My_Sun", "S\u{f6}n", "2Sun"] {

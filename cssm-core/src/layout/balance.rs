@@ -49,7 +49,9 @@ impl<'a> Fit<'a> {
     fn new(demand: &'a TileDemand, total: f64) -> Self {
         let samples = &demand.samples[..];
         match demand.request {
-            TileRequest::Share(share) => Self { samples, aspect: 1.0, weight: share * total, balanced: false },
+            TileRequest::Share(share) => {
+                Self { samples, aspect: 1.0, weight: share * total, balanced: false }
+            }
             TileRequest::Fixed(width, height) => Self {
                 samples,
                 aspect: f64::from(height) / f64::from(width),
@@ -137,8 +139,10 @@ fn best_aspect(samples: &[Gram]) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     const STEPS: u32 = 10;
     const REACH: f64 = 1.2;
-    let (up, across) =
-        (power_mean(samples.iter().map(|sample| sample.yy)), power_mean(samples.iter().map(|sample| sample.xx)));
+    let (up, across) = (
+        power_mean(samples.iter().map(|sample| sample.yy)),
+        power_mean(samples.iter().map(|sample| sample.xx)),
+    );
     let start = libm::log(up / across);
     let footprint = |logarithm: f64| {
         let side = libm::exp(0.5 * logarithm);

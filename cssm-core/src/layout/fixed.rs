@@ -6,7 +6,9 @@ use crate::plan::PlanError;
 
 pub(super) fn place(sizes: &[(u32, u32)], area: &MapArea) -> Result<Vec<Tile>, PlanError> {
     let mut order: Vec<usize> = (0..sizes.len()).collect();
-    order.sort_by_key(|index| (std::cmp::Reverse(sizes[*index].1), std::cmp::Reverse(sizes[*index].0), *index));
+    order.sort_by_key(|index| {
+        (std::cmp::Reverse(sizes[*index].1), std::cmp::Reverse(sizes[*index].0), *index)
+    });
 
     // Fill a row from left to right; open the next below its tallest tile.
     let mut tiles = vec![Tile { x: 0, y: 0, width: 0, height: 0, gutter: area.gutter }; sizes.len()];

@@ -66,9 +66,15 @@ pub(super) fn partition(wishes: &[Wish], length: f64, count: Option<u32>) -> Par
 
 /// Whole-texel tiles of a partition: strips side by side across the map, tiles end to end along each. `None` when the
 /// smallest sides do not fit.
-pub(super) fn tiles(partition: &Partition, areas: &[f64], area: &MapArea, upright: bool) -> Option<Vec<Tile>> {
+pub(super) fn tiles(
+    partition: &Partition,
+    areas: &[f64],
+    area: &MapArea,
+    upright: bool,
+) -> Option<Vec<Tile>> {
     let (across, along) = if upright { (area.width, area.height) } else { (area.height, area.width) };
-    let strip_areas: Vec<f64> = partition.iter().map(|strip| strip.iter().map(|index| areas[*index]).sum()).collect();
+    let strip_areas: Vec<f64> =
+        partition.iter().map(|strip| strip.iter().map(|index| areas[*index]).sum()).collect();
     let strip_sides = share(&strip_areas, across, area.smallest_side())?;
     let mut tiles = vec![Tile { x: 0, y: 0, width: 0, height: 0, gutter: area.gutter }; areas.len()];
     let mut strip_start = 0;
@@ -97,7 +103,8 @@ fn share(wishes: &[f64], total: u32, smallest: u32) -> Option<Vec<u32>> {
     // Parts below the smallest take it; the others share the rest, until no further part falls below.
     let mut raised = vec![false; wishes.len()];
     loop {
-        let rest = f64::from(total) - raised.iter().filter(|raised| **raised).count() as f64 * f64::from(smallest);
+        let rest =
+            f64::from(total) - raised.iter().filter(|raised| **raised).count() as f64 * f64::from(smallest);
         let sum: f64 = wishes.iter().zip(&raised).filter(|(_, raised)| !**raised).map(|(wish, _)| wish).sum();
         let low = |(index, wish): (usize, &f64)| {
             (!raised[index] && *wish / sum * rest < f64::from(smallest)).then_some(index)

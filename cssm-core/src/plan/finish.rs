@@ -29,8 +29,11 @@ const STEEPEST_SLOPE: f64 = 20.0;
 pub(super) fn finish(window: Window<'_>, tile: Tile, situation: &Situation<'_>) -> Result<Facet, PlanError> {
     // Keep gutters free: receivers fill the inner part of the tile.
     let inner = |side: u32| f64::from(side - 2 * tile.gutter) / f64::from(side);
-    let mut rows =
-        FacetRows { x: window.rows.x * inner(tile.width), y: window.rows.y * inner(tile.height), ..window.rows };
+    let mut rows = FacetRows {
+        x: window.rows.x * inner(tile.width),
+        y: window.rows.y * inner(tile.height),
+        ..window.rows
+    };
 
     // Measure texels across the light, per w.
     let texels = TexelsPerW::measure(&rows, &tile, &window.samples);
@@ -38,10 +41,11 @@ pub(super) fn finish(window: Window<'_>, tile: Tile, situation: &Situation<'_>) 
     let receivers = &window.draft.receivers;
     let width = texels.major * f64::from(tile.width.max(tile.height));
     let farthest = FARTHEST_PIXELS * situation.view.pixels_per_tangent() * width;
-    let depth = depth_row(rows.w, situation.light, receivers, margin, farthest).ok_or(PlanError::Degenerate {
-        facet: window.draft.index,
-        why: "its receivers have no extent along the light",
-    })?;
+    let depth =
+        depth_row(rows.w, situation.light, receivers, margin, farthest).ok_or(PlanError::Degenerate {
+            facet: window.draft.index,
+            why: "its receivers have no extent along the light",
+        })?;
     rows.z = depth.row;
     let rounding = FLOAT_ROUNDING + 1.5 * situation.case.map.format.rounding();
 

@@ -19,12 +19,7 @@ impl Kind {
     /// # Errors
     /// The fault: a value out of range, an empty list, a repeated name or a value of another kind.
     pub fn check(&self, value: &Value) -> Result<(), Fault> {
-        let fault = |message: String| {
-            Err(Fault {
-                message,
-                remedy: format!("use {self}"),
-            })
-        };
+        let fault = |message: String| Err(Fault { message, remedy: format!("use {self}") });
         match (self, value) {
             (Self::Count { min, max } | Self::AutoOrCount { min, max }, Value::Count(count)) => {
                 if count < min {
@@ -38,26 +33,15 @@ impl Kind {
             (Self::AutoOrCount { .. }, Value::Word(word)) if word.name == "auto" => Ok(()),
             (Self::Number { .. }, Value::Count(count)) => self.check(&Value::Number(f64::from(*count))),
             (Self::Number { min, max, open, unit }, Value::Number(number)) => {
-                let inside = if *open {
-                    number > min && number < max
-                } else {
-                    number >= min && number <= max
-                };
-                if inside {
-                    Ok(())
-                } else {
-                    fault(format!("{} is out of range", Quantity(*number, *unit)))
-                }
+                let inside =
+                    if *open { number > min && number < max } else { number >= min && number <= max };
+                if inside { Ok(()) } else { fault(format!("{} is out of range", Quantity(*number, *unit))) }
             }
             (Self::Size { min, max }, Value::Size(width, height)) => {
                 if width.min(height) < min {
-                    fault(format!(
-                        "{width} x {height} is below the smallest side, {min} texels"
-                    ))
+                    fault(format!("{width} x {height} is below the smallest side, {min} texels"))
                 } else if width.max(height) > max {
-                    fault(format!(
-                        "{width} x {height} is above the largest side, {max} texels"
-                    ))
+                    fault(format!("{width} x {height} is above the largest side, {max} texels"))
                 } else {
                     Ok(())
                 }
@@ -67,19 +51,14 @@ impl Kind {
                     return fault("the list is empty".into());
                 }
                 let side = Self::Size { min: *min, max: *max };
-                sizes
-                    .iter()
-                    .try_for_each(|(width, height)| side.check(&Value::Size(*width, *height)))
+                sizes.iter().try_for_each(|(width, height)| side.check(&Value::Size(*width, *height)))
             }
             (Self::ChoiceList(_), Value::Words(words)) if words.is_empty() => {
                 fault("the list is empty".into())
             }
             (Self::ChoiceList(_), Value::Words(words)) => {
-                let twice = (1..words.len()).find(|&index| {
-                    words[..index]
-                        .iter()
-                        .any(|earlier| earlier.name == words[index].name)
-                });
+                let twice = (1..words.len())
+                    .find(|&index| words[..index].iter().any(|earlier| earlier.name == words[index].name));
                 match twice {
                     Some(index) => Err(Fault {
                         message: format!("`{}` stands twice in the list", words[index].name),
@@ -111,34 +90,18 @@ impl fmt::Display for Kind {
                     (false, true) => write!(out, "{noun} above {}", Quantity(*min, *unit)),
                     (false, false) => write!(out, "{noun} of at least {}", Quantity(*min, *unit)),
                     (true, true) => {
-                        write!(
-                            out,
-                            "{noun} between {} and {}",
-                            Quantity(*min, *unit),
-                            Quantity(*max, *unit)
-                        )
+                        write!(out, "{noun} between {} and {}", Quantity(*min, *unit), Quantity(*max, *unit))
                     }
                     (true, false) => {
-                        write!(
-                            out,
-                            "{noun} from {} to {}",
-                            Quantity(*min, *unit),
-                            Quantity(*max, *unit)
-                        )
+                        write!(out, "{noun} from {} to {}", Quantity(*min, *unit), Quantity(*max, *unit))
                     }
                 }
             }
             Self::Size { min, max } => {
-                write!(
-                    out,
-                    "a size such as `2048 x 2048` with sides of {min} to {max} texels"
-                )
+                write!(out, "a size such as `2048 x 2048` with sides of {min} to {max} texels")
             }
             Self::SizeList { min, max } => {
-                write!(
-                    out,
-                    "a list such as `[1024 x 1024, 512 x 512]` with sides of {min} to {max} texels"
-                )
+                write!(out, "a list such as `[1024 x 1024, 512 x 512]` with sides of {min} to {max} texels")
             }
             Self::Choice(choices) => {
                 out.write_str(if choices.len() > 1 { "one of " } else { "" })?;
@@ -166,11 +129,7 @@ impl fmt::Display for Quantity {
         } else {
             write!(out, "{number}")?
         }
-        if unit.base_name().is_empty() {
-            Ok(())
-        } else {
-            write!(out, " {}", unit.base_name())
-        }
+        if unit.base_name().is_empty() { Ok(()) } else { write!(out, " {}", unit.base_name()) }
     }
 }
 

@@ -35,9 +35,7 @@ impl Field {
             }
             Kind::Choice(choices) => default_word(choices, text).map(Value::Word),
             Kind::ChoiceList(choices) => {
-                let words = entries(text)
-                    .into_iter()
-                    .filter_map(|entry| default_word(choices, entry));
+                let words = entries(text).into_iter().filter_map(|entry| default_word(choices, entry));
                 Some(Value::Words(words.collect()))
             }
             Kind::Group(fields) => Some(Value::Group(fill(fields, &Arguments::default()))),
@@ -62,10 +60,7 @@ fn complete(kind: &Kind, value: &Value) -> Value {
 
 fn complete_word(choices: &'static [Choice], word: &Word) -> Word {
     match Choice::find(choices, word.name) {
-        Some(choice) => Word {
-            name: choice.name,
-            arguments: fill(choice.arguments, &word.arguments),
-        },
+        Some(choice) => Word { name: choice.name, arguments: fill(choice.arguments, &word.arguments) },
         None => word.clone(),
     }
 }
@@ -87,9 +82,5 @@ fn entries(text: &str) -> Vec<&str> {
         }
         letter == ',' && depth == 0
     };
-    text.trim_start_matches('[')
-        .trim_end_matches(']')
-        .split(split)
-        .map(str::trim)
-        .collect()
+    text.trim_start_matches('[').trim_end_matches(']').split(split).map(str::trim).collect()
 }

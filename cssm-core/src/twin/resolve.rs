@@ -25,7 +25,13 @@ pub struct Resolved {
 const SMALLEST_COSINE: f64 = 0.01;
 
 /// Visibility of a point relative to the eye with a unit geometric normal, world axes.
-pub fn resolve(case: &LightCase, plan: &ShadowPlan, map: &DepthMap, point_from_eye: DVec3, normal: DVec3) -> Resolved {
+pub fn resolve(
+    case: &LightCase,
+    plan: &ShadowPlan,
+    map: &DepthMap,
+    point_from_eye: DVec3,
+    normal: DVec3,
+) -> Resolved {
     // Walk to the facet.
     let index = plan.selection.facet(point_from_eye.extend(1.0));
     let lit = |texel, depth| Resolved { facet: index, texel, depth, visibility: 1.0 };
@@ -46,7 +52,8 @@ pub fn resolve(case: &LightCase, plan: &ShadowPlan, map: &DepthMap, point_from_e
     // Compare and filter.
     let reference = Reference::new(case, plan, facet, &gradients, texel, normal);
     let stored = |corner: DVec2| map.depth(corner.x as i64, corner.y as i64);
-    let lit_at = |reference: f64, corner: DVec2| f64::from(u8::from(reference.clamp(0.0, 1.0) <= stored(corner)));
+    let lit_at =
+        |reference: f64, corner: DVec2| f64::from(u8::from(reference.clamp(0.0, 1.0) <= stored(corner)));
     let visibility = match case.filter {
         Filter::None => {
             let corner = texel.floor();
@@ -94,9 +101,9 @@ impl Reference {
             Bias::Constant { along_light_metres } => {
                 flat(along_light_metres * facet.depth_per_metre / gradients.w)
             }
-            Bias::WorldTexel { a_metres, b_texels } => flat(
-                facet.depth_per_metre * (a_metres / gradients.w + b_texels * facet.texel_metres_per_w),
-            ),
+            Bias::WorldTexel { a_metres, b_texels } => {
+                flat(facet.depth_per_metre * (a_metres / gradients.w + b_texels * facet.texel_metres_per_w))
+            }
             Bias::Slope { texels } => {
                 let cosine = normal.dot(plan.light.truncate()).clamp(SMALLEST_COSINE, 1.0);
                 let tangent = (1.0 - cosine * cosine).sqrt() / cosine;
@@ -109,8 +116,11 @@ impl Reference {
                     -up * 2.0 / f64::from(facet.tile.height),
                 );
                 // A plane that contains the light has no slope; it is held at one depth range a texel.
-                let per_texel =
-                    if per_texel.is_nan() { DVec2::ZERO } else { per_texel.clamp(DVec2::NEG_ONE, DVec2::ONE) };
+                let per_texel = if per_texel.is_nan() {
+                    DVec2::ZERO
+                } else {
+                    per_texel.clamp(DVec2::NEG_ONE, DVec2::ONE)
+                };
                 Self { texel, depth: depth - facet.receiver_plane_depth, per_texel }
             }
         }

@@ -57,7 +57,14 @@ pub(super) fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
         selection.distances.push(face.distance);
         selection.thresholds.push(limits.inner());
         for band in 0..band_count {
-            facets.push(band_facet(face, &sides, &receivers, &limits, sector as u32 * band_count + band, band));
+            facets.push(band_facet(
+                face,
+                &sides,
+                &receivers,
+                &limits,
+                sector as u32 * band_count + band,
+                band,
+            ));
         }
     }
     if band_count == 1 {

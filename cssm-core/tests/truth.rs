@@ -180,6 +180,26 @@ fn wrong_bias_swapped_facets_and_shifted_tiles_are_caught() {
 }
 
 #[test]
+fn a_bare_plane_never_shadows_itself_across_borders() {
+    let mut random = Random::new(77);
+    let view = view(f64::INFINITY);
+    let triangles = scene(&mut random)[..2].to_vec();
+    let receivers = receivers(&view, &triangles, 4000, &mut random);
+    for case in cases(512, 1000.0) {
+        for (elevation, azimuth) in [(60.0, 150.0), (20.0, 180.0), (20.0, 0.0), (33.0, 0.0), (5.0, 100.0)] {
+            let light = toward(elevation, azimuth);
+            let plan = plan(&case, &view, &sun(light), &SceneBounds::default()).unwrap();
+            let map = capture(&plan, &triangles).stored(case.map.format);
+            for receiver in &receivers {
+                let found = resolve(&case, &plan, &map, receiver.point, receiver.normal);
+                let place = format!("{} light {elevation},{azimuth} at {}", case.name, receiver.point);
+                assert!(found.visibility == 1.0, "{place}: {}", found.visibility);
+            }
+        }
+    }
+}
+
+#[test]
 fn no_box_whose_shadow_reaches_a_receiver_is_refused() {
     let mut random = Random::new(9);
     let view = view(f64::INFINITY);

@@ -1,7 +1,7 @@
 //! The shadow service: executes generated tables on wgpu.
 //!
 //! A light case is declared once; code generation turns it into a [`CaseTable`](cssm_core::table::CaseTable) with
-//! shaders. Each frame, [`cssm_core::plan`] turns the view and the light into a
+//! shaders. Each frame, [`cssm_core::plan()`] turns the view and the light into a
 //! [`ShadowPlan`](cssm_core::ShadowPlan): a list of facets. [`ShadowService`] executes both:
 //!
 //! 1. [`features_and_limits`] says what to request a device with;

@@ -1,7 +1,7 @@
 //! Shadow maps from declared light cases: the crate that users add.
 //!
 //! A light case is declared once, in a `.cssm` file, in `light_case!` or with [`LightCase::builder`]. Code generation
-//! turns it into WGSL, SPIR-V and a matching table. Each frame [`plan`] turns a view and a light into facets, and the
+//! turns it into WGSL, SPIR-V and a matching table. Each frame [`plan()`] turns a view and a light into facets, and the
 //! runtime executes both:
 //!
 //! ```text

@@ -6,8 +6,6 @@ use crate::facet::Tile;
 use crate::plan::PlanError;
 use crate::technique::TileRequest;
 
-/// Exponent of the power mean that stands for the largest footprints of a facet; smooth, near the 95th percentile.
-const POWER: i32 = 16;
 /// Rounds of area balancing; the change after the last is below a percent.
 const ROUNDS: u32 = 6;
 
@@ -127,11 +125,13 @@ fn mean_footprint(samples: &[Gram], width: f64, height: f64) -> f64 {
     power_mean(samples.iter().map(|sample| sample.major_pixels_squared(width, height)))
 }
 
-/// Power mean of lengths given squared.
+/// Power mean of lengths given squared, exponent 16: it stands for the largest footprints of a facet, is smooth and lies
+/// near the 95th percentile. Multiplied out, so that every platform finds the same tiles.
 fn power_mean(squares: impl ExactSizeIterator<Item = f64>) -> f64 {
     let count = squares.len().max(1) as f64;
-    let sum: f64 = squares.map(|square| square.powi(POWER / 2)).sum();
-    libm::pow((sum / count).max(f64::MIN_POSITIVE), 1.0 / f64::from(POWER))
+    let square = |value: f64| value * value;
+    let sum: f64 = squares.map(|length| square(square(square(length)))).sum();
+    libm::pow((sum / count).max(f64::MIN_POSITIVE), 1.0 / 16.0)
 }
 
 /// Height / width that makes the mean footprint smallest at equal area, by golden section in its logarithm.

@@ -32,19 +32,49 @@ pub struct TechniqueSpec {
     pub draft: fn(&Situation<'_>) -> Result<Draft, PlanError>,
 }
 
-/// Every technique.
+/// Every technique: the one place outside its own file that names it.
 pub const TECHNIQUES: &[TechniqueSpec] = &[standard::SPEC, parallel_split::SPEC, camera_space::SPEC];
 
 /// Their declared names and parameters.
-pub const CHOICES: &[Choice] =
-    &[standard::SPEC.choice, parallel_split::SPEC.choice, camera_space::SPEC.choice];
+pub const CHOICES: &[Choice] = &choices();
 
 /// Every configuration that some technique takes.
-pub const CONFIGURATIONS: &[Choice] = &[
-    standard::SPEC.configurations[0],
-    parallel_split::SPEC.configurations[0],
-    camera_space::SPEC.configurations[0],
-];
+pub const CONFIGURATIONS: &[Choice] = &configurations();
+
+const fn choices() -> [Choice; TECHNIQUES.len()] {
+    let mut choices = [TECHNIQUES[0].choice; TECHNIQUES.len()];
+    let mut index = 0;
+    while index < choices.len() {
+        choices[index] = TECHNIQUES[index].choice;
+        index += 1;
+    }
+    choices
+}
+
+const fn configuration_count() -> usize {
+    let (mut count, mut index) = (0, 0);
+    while index < TECHNIQUES.len() {
+        count += TECHNIQUES[index].configurations.len();
+        index += 1;
+    }
+    count
+}
+
+const fn configurations() -> [Choice; configuration_count()] {
+    let mut all = [TECHNIQUES[0].configurations[0]; configuration_count()];
+    let (mut next, mut technique) = (0, 0);
+    while technique < TECHNIQUES.len() {
+        let own = TECHNIQUES[technique].configurations;
+        let mut index = 0;
+        while index < own.len() {
+            all[next] = own[index];
+            next += 1;
+            index += 1;
+        }
+        technique += 1;
+    }
+    all
+}
 
 /// The entry of a name that a checked case holds; an unknown name falls to the first entry.
 pub fn spec(name: &str) -> &'static TechniqueSpec {

@@ -4,10 +4,13 @@
 //! drivers use every core for one submission, and error scopes belong to threads.
 
 pub mod casters;
+pub mod depth_bracket;
 pub mod device;
 pub mod hand;
 pub mod images;
 pub mod resolve;
+pub mod score;
+pub mod stage;
 pub mod yard;
 
 pub use casters::Geometry;

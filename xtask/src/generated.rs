@@ -50,6 +50,23 @@ pub(crate) fn check(steps: &mut Steps) -> Result<(), Failure> {
     }
 }
 
+/// Fails if an optimised generator writes other tables than the one that the kept files came from.
+pub(crate) fn check_release(steps: &mut Steps) -> Result<(), Failure> {
+    let out = scratch("release")?;
+    let mut emit = steps.cargo();
+    emit.args(["run", "--release", "--quiet", "--package", "shaders-gen", "--", "emit"]);
+    emit.args(cases(steps.root())?).args(["--target", "rust", "--out"]).arg(&out);
+    steps.quiet("release generator", &mut emit)?;
+    let mut different = Vec::new();
+    for name in names(&out)? {
+        let (path, kept) = (out.join(&name), steps.root().join(TABLES).join(&name));
+        if fs::read(&path).map_err(at(&path))? != fs::read(&kept).map_err(at(&kept))? {
+            different.push(format!("{TABLES}/{name}"));
+        }
+    }
+    if different.is_empty() { Ok(()) } else { Err(Failure::Stale(different)) }
+}
+
 /// The cases that ship, in the order of their names.
 pub(crate) fn cases(root: &Path) -> Result<Vec<PathBuf>, Failure> {
     let folder = root.join(CASES);

@@ -27,7 +27,8 @@ pub(crate) fn run(steps: &mut Steps, full: bool, arguments: &[String]) -> Result
         let relative = left.iter().map(|path| path.strip_prefix(steps.root()).unwrap_or(path).to_owned());
         return Err(Failure::Snapshots(relative.collect()));
     }
-    generated::check(steps)
+    generated::check(steps)?;
+    if full { generated::check_release(steps) } else { Ok(()) }
 }
 
 /// Collects snapshots that wait for review.

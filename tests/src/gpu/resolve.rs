@@ -47,6 +47,15 @@ impl Visible {
         self.hits.iter().map(|hit| hit.map_or(0.0, |hit| stored(hit.along) as f32)).collect()
     }
 
+    /// Positions relative to the eye as an engine's material knows them, four floats each; the fourth is 0 for sky.
+    pub fn positions(&self) -> Vec<f32> {
+        let texel = |(ray, hit): (&DVec3, &Option<Hit>)| {
+            let point = (*ray * hit.map_or(0.0, |hit| hit.along)).as_vec3();
+            [point.x, point.y, point.z, if hit.is_some() { 1.0 } else { 0.0 }]
+        };
+        self.rays.iter().zip(&self.hits).flat_map(texel).collect()
+    }
+
     /// Normals as an engine stores them, four floats each.
     pub fn normals(&self) -> Vec<f32> {
         let texel = |hit: &Option<Hit>| {
@@ -81,6 +90,7 @@ impl Visible {
 pub struct Material {
     pipeline: wgpu::RenderPipeline,
     inputs: wgpu::BindGroupLayout,
+    inputs_group: u32,
     shadow_group: u32,
 }
 
@@ -93,6 +103,9 @@ impl Material {
         let function = table.shader(ShaderKind::Function).expect("the case declares a function");
         let group = table.group(ShaderKind::Function, GroupContent::Shadow).expect("it has a group");
         let own = MATERIAL.replace("VISIBILITY", &format!("{}_visibility({arguments})", table.prefix));
+        // The engine's own group stands beside the declared one.
+        let inputs_group = u32::from(group.group == 0);
+        let own = own.replace("INPUTS", &inputs_group.to_string());
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: None,
             source: wgpu::ShaderSource::Wgsl(format!("{}\n{own}", function.wgsl).into()),
@@ -111,8 +124,8 @@ impl Material {
             label: None,
             entries: &[texture(0), texture(1)],
         });
-        let mut groups = vec![None; group.group as usize + 1];
-        groups[0] = Some(&inputs);
+        let mut groups = vec![None; group.group.max(inputs_group) as usize + 1];
+        groups[inputs_group as usize] = Some(&inputs);
         groups[group.group as usize] = service.shadow_bind_group_layout();
         let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: None,
@@ -140,7 +153,7 @@ impl Material {
             multiview_mask: None,
             cache: None,
         });
-        Self { pipeline, inputs, shadow_group: group.group }
+        Self { pipeline, inputs, inputs_group, shadow_group: group.group }
     }
 
     /// Records the pass; `positions` and `normals` are float textures of the target's size.
@@ -172,15 +185,15 @@ impl Material {
             ..Default::default()
         });
         pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &inputs, &[]);
+        pass.set_bind_group(self.inputs_group, &inputs, &[]);
         pass.set_bind_group(self.shadow_group, frame.shadow_bind_group(), &[]);
         pass.draw(0..3, 0..1);
     }
 }
 
 const MATERIAL: &str = "
-@group(0) @binding(0) var engine_positions: texture_2d<f32>;
-@group(0) @binding(1) var engine_normals: texture_2d<f32>;
+@group(INPUTS) @binding(0) var engine_positions: texture_2d<f32>;
+@group(INPUTS) @binding(1) var engine_normals: texture_2d<f32>;
 
 @vertex
 fn engine_vertex(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {

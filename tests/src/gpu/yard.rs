@@ -1,7 +1,7 @@
 //! A small scene with everything that is hard: a wide ground, boxes, thin poles, tilted sheets, a tower above the view.
 
 use cssm_core::glam::{DAffine3, DQuat, DVec3};
-use cssm_core::{Light, ShadowPlan, View};
+use cssm_core::{BoundingBox, Light, ShadowPlan, View};
 use cssm_runtime::{CasterInstance, ServiceError, ShadowService};
 
 use super::casters::{Geometry, GeometryBuffers};
@@ -96,18 +96,30 @@ impl Yard {
 
     /// Whether the service draws a place into a facet of a plan: its box's shadow reaches the facet.
     pub fn reaches(&self, place: usize, plan: &ShadowPlan, facet: usize) -> bool {
+        plan.facets[facet].reached_by(&self.place_bounds(place, plan.eye_world))
+    }
+
+    /// World-space box around everything.
+    pub fn bounds(&self) -> BoundingBox {
+        let boxes = (0..self.places.len()).map(|place| self.place_bounds(place, DVec3::ZERO));
+        let none = BoundingBox { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
+        boxes.fold(none, |all, one| BoundingBox { min: all.min.min(one.min), max: all.max.max(one.max) })
+    }
+
+    /// Box around one place, relative to a point.
+    fn place_bounds(&self, place: usize, origin_world: DVec3) -> BoundingBox {
         let (shape, world_from_object) = &self.places[place];
         let bounds = self.geometries[*shape].bounds();
         let corners = (0..8).map(|corner| {
             let pick = |axis: usize| {
                 if corner >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] }
             };
-            world_from_object.transform_point3(DVec3::new(pick(0), pick(1), pick(2))) - plan.eye_world
+            world_from_object.transform_point3(DVec3::new(pick(0), pick(1), pick(2))) - origin_world
         });
         let (min, max) = corners.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(min, max), corner| {
             (min.min(corner), max.max(corner))
         });
-        plan.facets[facet].reached_by(&cssm_core::BoundingBox { min, max })
+        BoundingBox { min, max }
     }
 }
 

@@ -3,13 +3,13 @@
 use glam::{DVec2, DVec4};
 
 use crate::facet::FacetRows;
-use crate::receivers::{ALONG_LIGHT, Polytope};
+use crate::receivers::{Polytope, is_negligible};
 
 /// Convex outline (counter-clockwise, NDC) of a receiver vertex list in a facet's clip space.
 pub fn outline(rows: &FacetRows, receivers: &[DVec4]) -> Vec<DVec2> {
     let points = receivers.iter().filter_map(|vertex| {
         let w = rows.w.dot(*vertex);
-        let usable = w > ALONG_LIGHT * rows.w.length() * vertex.length();
+        let usable = w > 0.0 && !is_negligible(w, rows.w, *vertex);
         usable.then(|| DVec2::new(rows.x.dot(*vertex), rows.y.dot(*vertex)) / w)
     });
     hull(points.collect())

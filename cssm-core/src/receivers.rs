@@ -23,7 +23,7 @@ pub struct Polytope {
 /// Distance from a plane, relative to plane and point, below which a vertex counts as lying on it.
 const ON_PLANE: f64 = 1e-13;
 /// Value of a row, relative to row and vertex, below which a vertex is a direction along the light.
-pub(crate) const ALONG_LIGHT: f64 = 1e-12;
+const ALONG_LIGHT: f64 = 1e-12;
 const AT_INFINITY: u64 = 1 << 63;
 /// Plane bits end below the bit of infinity.
 const PLANE_LIMIT: usize = 63;
@@ -146,26 +146,36 @@ impl Polytope {
 
     /// Smallest and largest value of row.X / X.w over the vertices; infinite where a vertex at infinity makes it so.
     pub fn range(&self, row: DVec4) -> (f64, f64) {
-        self.ratio_range(row, DVec4::W)
+        let values = self.vertices.iter().filter_map(|vertex| {
+            let value = row.dot(*vertex);
+            match (vertex.w > 0.0, is_negligible(value, row, *vertex)) {
+                (true, _) => Some(value / vertex.w),
+                (false, true) => None,
+                (false, false) => Some(value * f64::INFINITY),
+            }
+        });
+        extremes(values)
     }
 
-    /// Smallest and largest value of row.X / w.X over the vertices. Vertices where both vanish are passed over: they
-    /// are directions along the light, whose image is that of the other end of their edge.
+    /// Smallest and largest value of row.X / w.X over the vertices, where w annihilates the light and is positive inside.
+    /// Vertices whose w vanishes beside their distance are passed over: they lie so far along the light that they
+    /// share their image with the other end of their edge.
     pub fn ratio_range(&self, row: DVec4, w: DVec4) -> (f64, f64) {
-        let mut range = (f64::INFINITY, f64::NEG_INFINITY);
-        for vertex in &self.vertices {
-            let (value, scale) = (row.dot(*vertex), w.dot(*vertex));
-            let negligible =
-                |value: f64, row: DVec4| value.abs() <= ALONG_LIGHT * row.length() * vertex.length();
-            let ratio = match (negligible(value, row), negligible(scale, w)) {
-                (_, false) => value / scale,
-                (true, true) => continue,
-                (false, true) => value * f64::INFINITY,
-            };
-            range = (range.0.min(ratio), range.1.max(ratio));
-        }
-        range
+        let values = self.vertices.iter().filter_map(|vertex| {
+            let scale = w.dot(*vertex);
+            (!is_negligible(scale, w, *vertex)).then(|| row.dot(*vertex) / scale)
+        });
+        extremes(values)
     }
+}
+
+/// Whether a row vanishes on a vertex, beside the lengths of both.
+pub(crate) fn is_negligible(value: f64, row: DVec4, vertex: DVec4) -> bool {
+    value.abs() <= ALONG_LIGHT * row.length() * vertex.length()
+}
+
+fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |range, value| (range.0.min(value), range.1.max(value)))
 }
 
 /// The same homogeneous point with w = 1, or with unit length at infinity.

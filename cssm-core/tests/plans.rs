@@ -214,3 +214,63 @@ fn footprints_keep_their_promise() {
         assert!(ratio >= 1.9, "{elevation},{azimuth}: {ratio}");
     }
 }
+
+#[test]
+fn declared_strips_and_tile_sizes_are_kept() {
+    let view = level_view(0.2, 1000.0);
+    let light = sun(toward(50.0, 150.0));
+    for strips in [1, 2, 3, 5] {
+        let case = LightCase::builder("Strips").bands(8, 1e5).map_columns(strips).build().unwrap();
+        let plan = plan(&case, &view, &light, &SceneBounds::default()).unwrap();
+        let mut edges: Vec<u32> = plan.facets.iter().map(|facet| facet.tile.x).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        assert_eq!(edges.len(), strips as usize);
+    }
+    let sizes = vec![(1024, 512), (512, 512), (256, 256)];
+    let arguments = [("splits", Value::Count(3)), ("sizes", Value::Sizes(sizes.clone()))];
+    let splits = LightCase::builder("Sizes").technique(Word::with("parallel_split", arguments));
+    let case = splits.shadow_distance_metres(500.0).map_size_texels(1024, 1024).build().unwrap();
+    let plan = plan(&case, &view, &light, &SceneBounds::default()).unwrap();
+    let tiles: Vec<_> = plan.facets.iter().map(|facet| (facet.tile.width, facet.tile.height)).collect();
+    assert_eq!(tiles, sizes);
+}
+
+#[test]
+fn every_light_around_a_view_has_a_plan() {
+    // Special directions: along the axis, edges and corners of the view, in its planes, and a hair off each.
+    let view = off_centre_view(0.1, f64::INFINITY);
+    let to_world = view.camera_from_world.transpose();
+    let mut special = vec![DVec3::NEG_Z, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.0)];
+    let corners = view.corner_tangents().map(|(x, y)| DVec3::new(x, y, -1.0));
+    for k in 0..4 {
+        special.push(corners[k]);
+        special.push((corners[k] + corners[(k + 1) % 4]) * 0.5);
+    }
+    let mut random = Random::new(17);
+    for direction in special {
+        for offset in [0.0, 1e-12, 1e-9, 1e-6, 1e-2] {
+            for sign in [1.0, -1.0] {
+                let camera = (direction.normalize() + random.direction() * offset) * sign;
+                let light = sun((to_world * camera).normalize());
+                for case in &cases(1024, 900.0)[3..] {
+                    let plan = plan(case, &view, &light, &SceneBounds::default()).unwrap();
+                    for _ in 0..200 {
+                        let ray = view.ray_world(random.unit() * 1920.0, random.unit() * 1080.0);
+                        let point = (ray * 0.1 * 1e5_f64.powf(random.unit())).extend(1.0);
+                        let index = plan.selection.facet(point);
+                        let place = format!("{} {camera} at {point}: facet {index}", case.name);
+                        let facet = plan.facet(index).unwrap_or_else(|| panic!("{place}"));
+                        let rows = &facet.rows;
+                        let w = rows.w.dot(point);
+                        let (x, y, z) = (rows.x.dot(point) / w, rows.y.dot(point) / w, rows.z.dot(point) / w);
+                        assert!(
+                            w > 0.0 && x.abs() <= 1.0 && y.abs() <= 1.0 && z.is_finite(),
+                            "{place}: {x} {y} {z}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

@@ -23,7 +23,7 @@ use crate::technique::{Draft, FacetDraft, Situation, TileRequest};
 pub(super) const SECTORS: u32 = 4;
 
 /// Signed area, relative to the largest, below which a face holds no rays.
-const AREA_TOLERANCE: f64 = 1e-12;
+const AREA_TOLERANCE: f64 = 1e-9;
 
 /// Number of bands and horizon in metres of a case.
 pub(super) fn bands(case: &LightCase) -> (u32, f64) {

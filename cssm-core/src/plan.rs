@@ -88,6 +88,16 @@ pub enum PlanError {
         /// What failed.
         why: &'static str,
     },
+    /// The receivers' bounding box is inside out.
+    #[error(
+        "the receivers' bounding box has its smallest corner {min} beyond its largest corner {max}; swap them, or give no box"
+    )]
+    Bounds {
+        /// Smallest corner.
+        min: DVec3,
+        /// Largest corner.
+        max: DVec3,
+    },
     /// The light or the bounds hold NaN or infinite numbers.
     #[error("{what} is not finite; give finite numbers")]
     NotFinite {
@@ -182,6 +192,9 @@ fn receivers(case: &LightCase, view: &View, bounds: &SceneBounds) -> Result<Poly
     if let Some(bounds) = &bounds.receivers {
         if !bounds.min.is_finite() || !bounds.max.is_finite() {
             return Err(PlanError::NotFinite { what: "the receivers' bounding box" });
+        }
+        if bounds.min.cmpgt(bounds.max).any() {
+            return Err(PlanError::Bounds { min: bounds.min, max: bounds.max });
         }
         receivers.cut_by_box(bounds, view.eye_world, &view.camera_from_world);
     }

@@ -1,8 +1,8 @@
 //! The receiver polytope: everything visible that may be in shadow, as homogeneous vertices and half-spaces.
 //!
 //! Vertices are homogeneous with w >= 0; w = 0 lies at infinity, so an infinite far plane needs no special case.
-//! Every vertex remembers the planes it lies on; two vertices that share two planes are joined by an edge, and
-//! cutting needs nothing else. Degenerate meetings of planes can only add points inside faces, never outside.
+//! Every vertex remembers the planes it lies on; two vertices are joined by an edge where no third lies on all the
+//! planes they share, and cutting needs nothing else.
 
 use glam::{DMat3, DVec3, DVec4};
 
@@ -106,18 +106,29 @@ impl Polytope {
                 incidence.push(self.incidence[index] | if *value == 0.0 { bit } else { 0 });
             }
         }
-        for (a, inside) in signed.iter().enumerate() {
-            for (b, outside) in signed.iter().enumerate() {
-                let shared = self.incidence[a] & self.incidence[b];
-                if *inside > 0.0 && *outside < 0.0 && shared.count_ones() >= 2 {
-                    let point = self.vertices[a] * -outside + self.vertices[b] * *inside;
-                    vertices.push(normalised(point));
-                    incidence.push(shared | bit);
+        for (a, inside) in signed.iter().enumerate().filter(|(_, inside)| **inside > 0.0) {
+            for (b, outside) in signed.iter().enumerate().filter(|(_, outside)| **outside < 0.0) {
+                let Some(shared) = self.edge(a, b) else { continue };
+                let point = normalised(self.vertices[a] * -outside + self.vertices[b] * *inside);
+                match vertices.iter().position(|vertex| coincide(*vertex, point)) {
+                    Some(same) => incidence[same] |= shared | bit,
+                    None => {
+                        vertices.push(point);
+                        incidence.push(shared | bit);
+                    }
                 }
             }
         }
         self.vertices = vertices;
         self.incidence = incidence;
+    }
+
+    /// The planes that two vertices share, if an edge joins them: no third vertex lies on all of them (the double
+    /// description method's test, which also holds where planes repeat or the polytope is flat).
+    fn edge(&self, a: usize, b: usize) -> Option<u64> {
+        let shared = self.incidence[a] & self.incidence[b];
+        let between = |(c, planes): (usize, &u64)| c != a && c != b && planes & shared == shared;
+        (shared.count_ones() >= 2 && !self.incidence.iter().enumerate().any(between)).then_some(shared)
     }
 
     /// The polytope cut by several half-spaces.
@@ -129,9 +140,9 @@ impl Polytope {
         cut
     }
 
-    /// Whether nothing is left.
+    /// Whether nothing is left that could have an area in the light's view.
     pub fn is_empty(&self) -> bool {
-        self.vertices.len() < 4
+        self.vertices.len() < 3
     }
 
     /// Whether it reaches to infinity.
@@ -176,6 +187,11 @@ pub(crate) fn is_negligible(value: f64, row: DVec4, vertex: DVec4) -> bool {
 
 fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |range, value| (range.0.min(value), range.1.max(value)))
+}
+
+/// Whether two normalised points are the same up to rounding.
+fn coincide(one: DVec4, two: DVec4) -> bool {
+    (one.w > 0.0) == (two.w > 0.0) && (one - two).abs().max_element() <= ON_PLANE * one.abs().max_element()
 }
 
 /// The same homogeneous point with w = 1, or with unit length at infinity.

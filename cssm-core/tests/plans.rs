@@ -5,6 +5,7 @@ mod support;
 use cssm_core::case::FarKind;
 use cssm_core::footprint::{quantile, score_volume};
 use cssm_core::glam::{DMat3, DMat4, DVec3, DVec4};
+use cssm_core::homography::Gradients;
 use cssm_core::plan::BoundingBox;
 use cssm_core::schema::{Value, Word};
 use cssm_core::view::{ClipDepth, ViewError};
@@ -120,6 +121,36 @@ fn what_cannot_be_planned_says_why() {
     let away = BoundingBox { min: DVec3::new(-1.0, -1.0, 5.0), max: DVec3::new(1.0, 1.0, 9.0) };
     let empty = plan(&standard, &infinite, &overhead, &SceneBounds { receivers: Some(away) }).unwrap();
     assert!(empty.facets.is_empty());
+}
+
+#[test]
+fn a_flat_scene_has_a_plan_and_an_inverted_one_a_reason() {
+    let eye = DVec3::new(3.0, 1.7, 4.0);
+    let target = eye + DVec3::new(0.2, -0.3, -1.0);
+    let view = View::perspective(eye, target, DVec3::Y, 1.0, 0.1, f64::INFINITY, (640, 360)).unwrap();
+    let (min, max) = (DVec3::new(-200.0, 0.0, -200.0), DVec3::new(200.0, 0.0, 200.0));
+    let mut random = Random::new(4);
+    for case in cases(1024, 1000.0) {
+        for light in [toward(60.0, 150.0), toward(20.0, 0.0), toward(20.0, 180.0), toward(1.0, 90.0)] {
+            let flat = SceneBounds { receivers: Some(BoundingBox { min, max }) };
+            let plan = plan(&case, &view, &sun(light), &flat).unwrap();
+            for _ in 0..500 {
+                let ray = view.ray_world(random.unit() * 640.0, random.unit() * 360.0);
+                let point = ray * (-eye.y / ray.y);
+                let world = eye + point;
+                if ray.y >= 0.0 || world.cmplt(min * 0.999).any() || world.cmpgt(max * 0.999).any() {
+                    continue;
+                }
+                let facet = plan.facet(plan.selection.facet(point.extend(1.0))).unwrap();
+                let ndc = Gradients::at(&facet.rows, point).ndc;
+                assert!(ndc.x.abs() <= 1.0 && ndc.y.abs() <= 1.0, "{} {light} {ndc}", case.name);
+                assert!((-0.1..=1.1).contains(&ndc.z), "{} {light} {ndc}", case.name);
+            }
+            let inverted = SceneBounds { receivers: Some(BoundingBox { min: max, max: min }) };
+            let refused = cssm_core::plan(&case, &view, &sun(light), &inverted);
+            assert!(matches!(refused, Err(PlanError::Bounds { .. })));
+        }
+    }
 }
 
 #[test]
@@ -273,4 +304,25 @@ fn every_light_around_a_view_has_a_plan() {
             }
         }
     }
+}
+
+#[test]
+fn boxes_that_share_planes_with_the_view_stay_small() {
+    let mut random = Random::new(8);
+    let view = level_view(1.0, 64.0);
+    let faces = [-64.0, -8.0, -1.0, 0.0, 1.0, 8.0, 64.0];
+    let mut planned = 0;
+    for _ in 0..400 {
+        let mut pick = || faces[(random.bits() % faces.len() as u64) as usize];
+        let (one, two) = (DVec3::new(pick(), pick(), pick()), DVec3::new(pick(), pick(), pick()));
+        let receivers = Some(BoundingBox { min: one.min(two), max: one.max(two) });
+        let special = [DVec3::Y, DVec3::Z, DVec3::X, DVec3::new(0.0, 1.0, 3_f64.sqrt())];
+        let light = special[(random.bits() % 4) as usize].normalize();
+        for case in &cases(1024, 64.0) {
+            let plan = plan(case, &view, &sun(light), &SceneBounds { receivers }).unwrap();
+            assert!(plan.facets.iter().all(|facet| facet.receivers.len() <= 32));
+            planned += plan.facets.len();
+        }
+    }
+    assert!(planned > 1000);
 }

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use cssm_core::glam::DVec3;
 use cssm_core::{Light, LightCase, View};
 use serde::Serialize;
+use shaders_gen::shipped;
 
 use crate::arguments::{parse_image_size, parse_size};
 use crate::case_file::{pick_case, with_map_size};
@@ -22,10 +23,8 @@ use crate::timing::time_in_turns;
 use crate::truth::Tracer;
 
 /// The declarations that ship, and the names under which the demo shows them.
-const CASES: [(&str, &str, &str); 2] = [
-    ("sun.cssm", "Sun", include_str!("../../shaders-gen/cases/sun.cssm")),
-    ("pssm4_log.cssm", "Pssm4Log", include_str!("../../shaders-gen/cases/pssm4_log.cssm")),
-];
+const CASES: [(&str, &str, &str); 2] =
+    [("sun.cssm", "Sun", shipped::SUN), ("pssm4_log.cssm", "Pssm4Log", shipped::PSSM4_LOG)];
 
 const FOV_Y_DEGREES: f64 = 60.0;
 const NEAR_METRES: f64 = 0.2;

@@ -8,6 +8,7 @@
 mod arguments;
 mod commands;
 mod input;
+pub mod shipped;
 
 use std::ffi::OsString;
 use std::io::{self, Write};

@@ -14,6 +14,7 @@ use cssm_lab::progress::Progress;
 use cssm_lab::scene::Scene;
 use cssm_lab::stage::{Stage, StageOptions};
 use cssm_lab::truth::Tracer;
+use shaders_gen::shipped;
 
 const SIZE: (u32, u32) = (640, 360);
 /// Steepest allowed slope of log mismatch over log map side, solid objects.
@@ -25,13 +26,8 @@ const SOLID_INTERIOR: f64 = 5e-5;
 /// The same where surfaces are thinner than a pixel.
 const THIN_INTERIOR: f64 = 1e-4;
 
-fn shipped() -> Vec<LightCase> {
-    let texts = [
-        include_str!("../../shaders-gen/cases/sun.cssm"),
-        include_str!("../../shaders-gen/cases/pssm4_log.cssm"),
-        include_str!("../../shaders-gen/cases/pssm4_practical.cssm"),
-        include_str!("../../shaders-gen/cases/standard.cssm"),
-    ];
+fn cases() -> Vec<LightCase> {
+    let texts = [shipped::SUN, shipped::PSSM4_LOG, shipped::PSSM4_PRACTICAL, shipped::STANDARD];
     let pick = |text: &str| {
         let case = pick_case(Path::new("case.cssm"), text, None).unwrap();
         with_map_size(case, (4096, 4096)).unwrap()
@@ -42,7 +38,7 @@ fn shipped() -> Vec<LightCase> {
 fn judge(scene: &Scene, thin: bool) {
     let full = std::env::var_os("CSSM_FULL").is_some();
     let tracer = Tracer::new(scene);
-    let cases = shipped();
+    let cases = cases();
     let gpu = Gpu::open(&cases.iter().collect::<Vec<_>>(), SIZE).unwrap();
     let views = if full { &scene.views[..] } else { &scene.views[..1] };
     let mut pooled = vec![(0, 0); cases.len()];

@@ -8,9 +8,9 @@ use cssm_core::glam::DVec3;
 use cssm_core::twin::{DepthMap, Triangle, capture};
 use cssm_core::{Light, SceneBounds, ShadowPlan, View, plan};
 use cssm_lab::scene::Scene;
-use insta::Settings;
 use insta::internals::SnapshotContents;
-use insta::{Comparator, Snapshot};
+use insta::{Comparator, Settings, Snapshot};
+use shaders_gen::shipped;
 
 /// Largest difference of a stored 16-bit depth that counts as equal.
 const DEPTH_TOLERANCE: u16 = 32;
@@ -85,15 +85,11 @@ fn situation(scene: &Scene, case: &LightCase) -> (ShadowPlan, Vec<Triangle>) {
     (plan, triangles.collect())
 }
 
-fn shipped(text: &str, size: u32) -> LightCase {
+fn sized(text: &str, size: u32) -> LightCase {
     let mut case = cssm_codegen::dsl::parse_file("case.cssm", text).unwrap().remove(0);
     (case.map.width, case.map.height) = (size, size);
     case
 }
-
-const SUN: &str = include_str!("../../shaders-gen/cases/sun.cssm");
-const SPLITS: &str = include_str!("../../shaders-gen/cases/pssm4_log.cssm");
-const STANDARD: &str = include_str!("../../shaders-gen/cases/standard.cssm");
 
 fn lock(name: &str, scene: &Scene, case: &LightCase) -> Vec<u8> {
     let (plan, triangles) = situation(scene, case);
@@ -109,18 +105,18 @@ fn lock(name: &str, scene: &Scene, case: &LightCase) -> Vec<u8> {
 #[test]
 fn maps_of_the_shipped_cases_are_locked() {
     let (palm, city) = (Scene::palm(), Scene::city());
-    lock("palm_sun", &palm, &shipped(SUN, 512));
-    lock("palm_pssm4_log", &palm, &shipped(SPLITS, 512));
-    lock("palm_standard", &palm, &shipped(STANDARD, 512));
-    lock("city_sun", &city, &shipped(SUN, 512));
-    lock("city_pssm4_log", &city, &shipped(SPLITS, 512));
+    lock("palm_sun", &palm, &sized(shipped::SUN, 512));
+    lock("palm_pssm4_log", &palm, &sized(shipped::PSSM4_LOG, 512));
+    lock("palm_standard", &palm, &sized(shipped::STANDARD, 512));
+    lock("city_sun", &city, &sized(shipped::SUN, 512));
+    lock("city_pssm4_log", &city, &sized(shipped::PSSM4_LOG, 512));
 }
 
 #[test]
 fn fewer_bands_change_the_picture() {
     let palm = Scene::palm();
     let of = |bands: &str| {
-        let case = shipped(&SUN.replace("bands(8)", bands), 256);
+        let case = sized(&shipped::SUN.replace("bands(8)", bands), 256);
         let (plan, triangles) = situation(&palm, &case);
         encode(&capture(&plan, &triangles))
     };
@@ -132,7 +128,7 @@ fn fewer_bands_change_the_picture() {
 #[test]
 fn a_missing_caster_is_seen() {
     let palm = Scene::palm();
-    let case = shipped(SUN, 256);
+    let case = sized(shipped::SUN, 256);
     let (plan, mut triangles) = situation(&palm, &case);
     let whole = encode(&capture(&plan, &triangles));
     triangles.truncate(triangles.len() / 2);

@@ -7,7 +7,7 @@ use std::path::Path;
 use cssm_core::glam::DVec3;
 use cssm_core::{Light, LightCase, View};
 use cssm_lab::case_file::{pick_case, with_map_size};
-use cssm_lab::convergence::{SIDES, convergence};
+use cssm_lab::convergence::{Level, SIDES, convergence};
 use cssm_lab::error::LabError;
 use cssm_lab::gpu::{Gpu, ResolveMethod};
 use cssm_lab::progress::Progress;
@@ -33,6 +33,12 @@ fn cases() -> Vec<LightCase> {
         with_map_size(case, (4096, 4096)).unwrap()
     };
     texts.map(pick).into()
+}
+
+/// Map side, mismatch and edge displacement in footprints of one level.
+fn figures(level: &Level) -> String {
+    let displacement = level.score.edge_displacement.true_to_map.footprints.p95;
+    format!("{}: {:.2} % {displacement:.2}", level.side, 100.0 * level.score.mismatch)
 }
 
 fn judge(scene: &Scene, thin: bool) {
@@ -61,13 +67,12 @@ fn judge(scene: &Scene, thin: bool) {
                 }
                 Err(error) => panic!("{} on {}: {error}", case.name, scene.name),
             };
-            let mismatches: Vec<String> =
-                found.levels.iter().map(|level| format!("{:.3e}", level.score.mismatch)).collect();
+            let figures: Vec<String> = found.levels.iter().map(figures).collect();
             println!(
                 "{} view {number} {}: {} slope {:?} interior {:?}",
                 scene.name,
                 case.name,
-                mismatches.join(" "),
+                figures.join(", "),
                 found.slope,
                 found.interior_pooled
             );

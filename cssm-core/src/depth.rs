@@ -6,7 +6,7 @@
 
 use glam::DVec4;
 
-use crate::receivers::Polytope;
+use crate::receivers::{DEPTH_ROW, Polytope};
 
 /// A depth row and its slope.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,9 +16,6 @@ pub(crate) struct DepthRow {
     /// Change of z/w times w per metre away from the light.
     pub depth_per_metre: f64,
 }
-
-/// View depth, camera space.
-const DEPTH: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
 
 /// Finds the row with the steepest slope along the light; `margin_metres_per_w` is kept free, in metres along the light
 /// per w, before and behind the receivers; receivers deeper than
@@ -32,7 +29,7 @@ pub(crate) fn depth_row(
 ) -> Option<DepthRow> {
     // Where the view looks along the light, a facet near that axis holds receivers at any distance: leave out those
     // that are too far to be told apart on the screen.
-    let receivers = receivers.cut_by(&[w * farthest_metres_per_w - DEPTH]);
+    let receivers = receivers.cut_by(&[w * farthest_metres_per_w - DEPTH_ROW]);
 
     // Try every face of the polytope and the plane across the light (facet algebra: zeta0 = -sign(pi.L) pi).
     let toward = light.truncate();

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec4};
 
 use crate::facet::FacetRows;
-use crate::receivers::{Polytope, is_negligible};
+use crate::receivers::is_negligible;
 
 /// Convex outline (counter-clockwise, NDC) of a receiver vertex list in a facet's clip space.
 pub fn outline(rows: &FacetRows, receivers: &[DVec4]) -> Vec<DVec2> {
@@ -13,11 +13,6 @@ pub fn outline(rows: &FacetRows, receivers: &[DVec4]) -> Vec<DVec2> {
         usable.then(|| DVec2::new(rows.x.dot(*vertex), rows.y.dot(*vertex)) / w)
     });
     hull(points.collect())
-}
-
-/// Convex outline of a polytope's vertices.
-pub(crate) fn outline_of(rows: &FacetRows, receivers: &Polytope) -> Vec<DVec2> {
-    outline(rows, &receivers.vertices)
 }
 
 /// Area enclosed by a counter-clockwise outline.

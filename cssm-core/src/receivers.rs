@@ -9,6 +9,9 @@ use glam::{DMat3, DVec3, DVec4};
 use crate::plan::BoundingBox;
 use crate::view::View;
 
+/// Row of the depth along the view axis, camera space.
+pub(crate) const DEPTH_ROW: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
+
 /// A convex polytope.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polytope {
@@ -227,7 +230,7 @@ mod tests {
         frustum.cut(DVec4::new(0.0, 0.0, 1.0, 10.0));
         assert_eq!(frustum.vertices.len(), 8);
         assert!(!frustum.is_unbounded());
-        let (near, far) = frustum.range(DVec4::new(0.0, 0.0, -1.0, 0.0));
+        let (near, far) = frustum.range(DEPTH_ROW);
         assert!((near - 0.5).abs() < 1e-12 && (far - 10.0).abs() < 1e-12);
     }
 

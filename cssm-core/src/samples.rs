@@ -1,8 +1,8 @@
 //! Sample receivers: visible points spread over the screen and, evenly in their logarithm, over depth.
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
-use crate::receivers::Polytope;
+use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::view::View;
 
 /// Depth to which an infinite view is sampled, in metres and at least in near distances.
@@ -11,10 +11,9 @@ pub const SAMPLED_HORIZON_METRES: f64 = 1e5;
 /// Up to `count` points of the receivers in camera space, by a low-discrepancy sequence (generalised golden ratio):
 /// uniform over the frustum's cross-section, log-uniform in depth.
 pub fn receivers(view: &View, receivers: &Polytope, count: usize) -> Vec<DVec3> {
-    const DEPTH: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
     // Powers of 1/g with g^4 = g + 1: the three-dimensional sequence of lowest known discrepancy of its kind.
     const STEP: DVec3 = DVec3::new(0.819_172_513_396_164_4, 0.671_043_606_703_789_2, 0.549_700_477_901_970_1);
-    let (nearest, farthest) = receivers.range(DEPTH);
+    let (nearest, farthest) = receivers.range(DEPTH_ROW);
     let nearest = nearest.max(f64::MIN_POSITIVE);
     let farthest = if farthest.is_finite() { farthest } else { SAMPLED_HORIZON_METRES.max(1e3 * nearest) };
     let logarithm = libm::log(farthest / nearest);

@@ -13,7 +13,7 @@ const POINTS: usize = 6000;
 
 /// A random visible point; half of them are moved onto a border or band limit, up to 8 ulp off.
 fn visible_point(random: &mut Random, view: &View, plan: &ShadowPlan, far: f64) -> DVec3 {
-    let depth = view.near_metres * libm_pow(far / view.near_metres, random.unit());
+    let depth = view.near_metres * (far / view.near_metres).powf(random.unit());
     let x = random.unit() * f64::from(view.size_pixels.0);
     let y = random.unit() * f64::from(view.size_pixels.1);
     let mut point = view.ray_world(x, y) * depth;
@@ -28,10 +28,6 @@ fn visible_point(random: &mut Random, view: &View, plan: &ShadowPlan, far: f64) 
         }
     }
     point
-}
-
-fn libm_pow(base: f64, exponent: f64) -> f64 {
-    base.powf(exponent)
 }
 
 fn border_rows(selection: &Selection) -> Vec<DVec4> {

@@ -21,7 +21,7 @@ pub(super) fn planes(rows: &FacetRows, tile: &Tile, receivers: &Polytope, light:
     // Around: the silhouette of the receivers in the light's view, moved out by the gutter.
     let margin = f64::from(tile.gutter).max(FEWEST_TEXELS);
     let (texel_x, texel_y) = (2.0 * margin / f64::from(tile.width), 2.0 * margin / f64::from(tile.height));
-    let outline = polygon::outline_of(rows, receivers);
+    let outline = polygon::outline(rows, &receivers.vertices);
     if outline.len() >= 3 {
         let next = outline.iter().cycle().skip(1);
         planes.extend(outline.iter().zip(next).map(|(one, two)| {

@@ -5,6 +5,7 @@ use glam::{DVec3, DVec4};
 use crate::facet::FacetRows;
 use crate::homography::Gradients;
 use crate::layout::{Gram, TileDemand};
+use crate::receivers::DEPTH_ROW;
 use crate::samples::{self, SAMPLED_HORIZON_METRES};
 use crate::technique::{Draft, FacetDraft, Situation};
 
@@ -80,9 +81,8 @@ fn gram(rows: &FacetRows, situation: &Situation<'_>, point: DVec3) -> Option<Gra
 /// Points spread inside a facet's receivers, to the sampled horizon: random positive weights on its vertices.
 fn inner_points(facet: &FacetDraft, count: usize) -> Vec<DVec3> {
     const STEP: f64 = 0.618_033_988_749_894_9;
-    const DEPTH: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
-    let horizon = SAMPLED_HORIZON_METRES.max(FARTHEST_PER_NEAREST * facet.receivers.range(DEPTH).0);
-    let near = facet.receivers.cut_by(&[DVec4::W * horizon - DEPTH]);
+    let horizon = SAMPLED_HORIZON_METRES.max(FARTHEST_PER_NEAREST * facet.receivers.range(DEPTH_ROW).0);
+    let near = facet.receivers.cut_by(&[DVec4::W * horizon - DEPTH_ROW]);
     let point = |index: usize| {
         let mut sum = DVec4::ZERO;
         for (k, vertex) in near.vertices.iter().enumerate() {

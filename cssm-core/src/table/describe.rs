@@ -134,7 +134,8 @@ impl Layout {
             FieldType::F32 => (4, 4),
             FieldType::Vec2 => (8, 8),
             FieldType::Vec4 => (16, 16),
-            FieldType::Facet => unreachable_size(),
+            // Facets stand in arrays alone, whose stride is given.
+            FieldType::Facet => (0, 16),
         };
         let offset_bytes = self.next.next_multiple_of(align);
         self.next = offset_bytes + size;
@@ -152,11 +153,6 @@ impl Layout {
     fn record(self, kind: RecordKind, name: Cow<'static, str>) -> Record {
         Record { kind, name, size_bytes: self.next.next_multiple_of(16), fields: self.fields.into() }
     }
-}
-
-/// Facets only stand in arrays, whose stride is given.
-const fn unreachable_size() -> (u32, u32) {
-    (0, 16)
 }
 
 fn push_rows(layout: &mut Layout) {

@@ -7,6 +7,7 @@ use super::{Draft, FacetDraft, Situation, TechniqueSpec, TileRequest};
 use crate::case::{CaseError, LightCase};
 use crate::facet::{FacetShape, Selection};
 use crate::plan::PlanError;
+use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Default, Field, Kind, Unit};
 
 const SCHEMES: &[Choice] = &[
@@ -58,15 +59,13 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
     draft,
 };
 
-const DEPTH: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
-
 fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
     let arguments = &situation.case.technique.arguments;
     let splits = arguments.count("splits").unwrap_or(4);
-    let (near, far) = situation.receivers.range(DEPTH);
+    let (near, far) = situation.receivers.range(DEPTH_ROW);
     let limits = split_limits(situation.case, near, far, splits);
     let (x, y) = light_plane_axes(situation.light);
 
@@ -75,10 +74,10 @@ fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
         let slab = index as usize;
         let mut select = Vec::new();
         if index > 0 {
-            select.push(DEPTH - DVec4::W * limits[slab - 1]);
+            select.push(DEPTH_ROW - DVec4::W * limits[slab - 1]);
         }
         if index + 1 < splits {
-            select.push(DVec4::W * limits[slab] - DEPTH);
+            select.push(DVec4::W * limits[slab] - DEPTH_ROW);
         }
         FacetDraft {
             index,
@@ -99,7 +98,7 @@ fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
         facets: facets.collect(),
         selection: Selection {
             borders: Vec::new(),
-            distances: vec![DEPTH],
+            distances: vec![DEPTH_ROW],
             thresholds: vec![limits],
             bands: splits,
         },

@@ -1,5 +1,6 @@
 //! Percentiles, shares, slopes.
 
+use cssm_core::footprint;
 use serde::Serialize;
 
 /// Median and upper percentiles of a set of numbers; all zero for an empty set.
@@ -30,12 +31,7 @@ impl Percentiles {
 
 /// Quantile of ascending numbers, between neighbours by linear interpolation; 0 of an empty slice.
 pub fn quantile(ascending: &[f64], share: f64) -> f64 {
-    let Some(last) = ascending.len().checked_sub(1) else {
-        return 0.0;
-    };
-    let place = share.clamp(0.0, 1.0) * last as f64;
-    let (low, high) = (ascending[place.floor() as usize], ascending[place.ceil() as usize]);
-    low + (high - low) * place.fract()
+    if ascending.is_empty() { 0.0 } else { footprint::quantile(ascending, share) }
 }
 
 /// `count / total`; 0 of nothing.

@@ -16,7 +16,7 @@ use glam::{DVec3, DVec4};
 use crate::case::LightCase;
 use crate::facet::Selection;
 use crate::plan::PlanError;
-use crate::receivers::Polytope;
+use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::technique::{Draft, FacetDraft, Situation, TileRequest};
 
 /// A frustum has four side faces.
@@ -143,7 +143,7 @@ impl BandLimits {
     fn new(face: &Face, receivers: &Polytope, situation: &Situation<'_>, count: u32, horizon: f64) -> Self {
         let (nearest, farthest) = receivers.range(face.distance);
         let (nearest, farthest) = if nearest <= farthest { (nearest.max(0.0), farthest) } else { (1.0, 2.0) };
-        let (depth_near, _) = situation.receivers.range(DVec4::new(0.0, 0.0, -1.0, 0.0));
+        let (depth_near, _) = situation.receivers.range(DEPTH_ROW);
         let core = (depth_near - nearest).max(0.0);
 
         // Equal ratios of D + core; with an infinite far plane the ratio is that up to the horizon.

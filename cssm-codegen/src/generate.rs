@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use cssm_core::LightCase;
+use cssm_core::case::Axes;
 use cssm_core::table::{CaseTable, Shader, ShaderKind};
 
 use crate::compose::{self, ComposeError, Prefix};
@@ -110,7 +111,7 @@ fn shader(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> Result<Shade
     // Compose the prelude and the picked files.
     let prefix = Prefix::new(&case.prefix);
     let prelude = prelude::prelude(table, kind, &prefix);
-    let (files, roots) = library::pick(case, kind);
+    let (files, roots) = library::pick(case, table, kind);
     let sources: Vec<_> =
         std::iter::once(prelude.as_str()).chain(files.iter().map(|file| file.source)).collect();
     let body = compose::compose(&sources, roots, &prefix).map_err(|source| GenerateError::Compose {
@@ -118,7 +119,7 @@ fn shader(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> Result<Shade
         shader: kind.name(),
         source,
     })?;
-    let wgsl = header(case, table, kind) + &body;
+    let wgsl = header(case, table, kind) + prelude::directives(table, kind) + &body;
 
     // Judge the text that is emitted, and write its words.
     let words = judge::judge(&wgsl, table, kind).and_then(|judged| match kind {
@@ -135,15 +136,42 @@ fn shader(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> Result<Shade
 
 /// What the first lines of a module say: the case, its doc comment, what the module is, where it comes from.
 fn header(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> String {
-    let what = match kind {
-        ShaderKind::Capture => "renders casters into one tile of the shadow map; needs unclipped depth.",
-        ShaderKind::CaptureClamped => {
+    let clipped = table.clips > 0;
+    let what = match (kind, clipped) {
+        (ShaderKind::Capture, false) => {
+            "renders casters into one tile of the shadow map; needs unclipped depth."
+        }
+        (ShaderKind::Capture, true) => {
+            "renders casters into one facet of the shadow map; needs unclipped depth and clip distances."
+        }
+        (ShaderKind::CaptureClamped, false) => {
             "renders casters into one tile of the shadow map; clamps depth by itself."
         }
-        ShaderKind::Mask => "turns the view's depth into a visibility mask.",
-        ShaderKind::Function => "visibility of a point, for the engine's own materials.",
+        (ShaderKind::CaptureClamped, true) => {
+            "renders casters into one facet of the shadow map; clamps depth and cuts by itself."
+        }
+        (ShaderKind::CaptureTested, false) => {
+            "renders casters with an alpha mask into one tile of the shadow map; needs unclipped depth."
+        }
+        (ShaderKind::CaptureTested, true) => {
+            "renders casters with an alpha mask into one facet of the shadow map; needs unclipped depth and clip \
+             distances."
+        }
+        (ShaderKind::CaptureTestedClamped, false) => {
+            "renders casters with an alpha mask into one tile of the shadow map; clamps depth by itself."
+        }
+        (ShaderKind::CaptureTestedClamped, true) => {
+            "renders casters with an alpha mask into one facet of the shadow map; clamps depth and cuts by itself."
+        }
+        (ShaderKind::Mask, _) => "turns the view's depth into a visibility mask.",
+        (ShaderKind::Function, _) => "visibility of a point, for the engine's own materials.",
     };
     let mut text = format!("// {}: {what}\n", case.name);
+    let (of_what, axes) = match kind {
+        ShaderKind::Mask | ShaderKind::Function => ("Positions and normals", axes_summary(table.axes)),
+        _ => ("Positions", CAPTURE_AXES),
+    };
+    let _ = writeln!(text, "// {of_what} are relative to the eye, in {axes}.");
     for doc in doc_lines(&case.doc) {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}", format!("// {doc}").trim_end());
@@ -154,6 +182,18 @@ fn header(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> String {
         case.name, table.fingerprint
     );
     text
+}
+
+/// Axes of a capture in words.
+pub(crate) const CAPTURE_AXES: &str =
+    "the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says";
+
+/// Axes in words.
+pub(crate) fn axes_summary(axes: Axes) -> &'static str {
+    match axes {
+        Axes::Camera => "camera axes: x right, y up, looking along -z",
+        Axes::World => "world axes",
+    }
 }
 
 /// Lines of a doc comment without characters that end a line or change the reading direction.

@@ -7,6 +7,8 @@ use naga::front::wgsl::{Frontend, Options};
 use naga::proc::Layouter;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
+use crate::prelude;
+
 /// A module that naga accepts.
 #[derive(Debug)]
 pub(crate) struct Judged {
@@ -36,9 +38,17 @@ pub enum JudgeError {
     Spirv(String),
 }
 
-/// Parses and validates a module with nothing but WebGPU's core capabilities.
-pub(crate) fn validate(wgsl: &str) -> Result<Judged, JudgeError> {
-    let capabilities = Capabilities::empty();
+/// What a shader of a table may need of the device beyond WebGPU's core: clip distances, where the pipeline cuts.
+pub(crate) fn capabilities(table: &CaseTable, shader: ShaderKind) -> Capabilities {
+    if prelude::uses_clip_distances(table, shader) {
+        Capabilities::CLIP_DISTANCES
+    } else {
+        Capabilities::empty()
+    }
+}
+
+/// Parses and validates a module with nothing but WebGPU's core and the given capabilities.
+pub(crate) fn validate(wgsl: &str, capabilities: Capabilities) -> Result<Judged, JudgeError> {
     let options = Options { parse_doc_comments: false, capabilities };
     let module = Frontend::new_with_options(options)
         .parse(wgsl)
@@ -51,9 +61,10 @@ pub(crate) fn validate(wgsl: &str) -> Result<Judged, JudgeError> {
 
 /// Judges a module against the table of its case.
 pub(crate) fn judge(wgsl: &str, table: &CaseTable, shader: ShaderKind) -> Result<Judged, JudgeError> {
+    let capabilities = capabilities(table, shader);
     let judged = match shader {
-        ShaderKind::Function => validate(&with_entry_point(wgsl, table))?,
-        _ => validate(wgsl)?,
+        ShaderKind::Function => validate(&with_entry_point(wgsl, table), capabilities)?,
+        _ => validate(wgsl, capabilities)?,
     };
     find_unused(&judged.module)?;
     find_entry_points(&judged.module, table, shader)?;

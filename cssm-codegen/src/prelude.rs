@@ -26,10 +26,20 @@ pub(crate) fn prelude(table: &CaseTable, shader: ShaderKind, prefix: &Prefix) ->
     }
     for group in table.groups.iter().filter(|group| group.shader == shader) {
         for binding in group.bindings.iter() {
-            print_binding(group.group, binding, prefix, &mut text);
+            print_binding(table, group.group, binding, prefix, &mut text);
         }
     }
     text
+}
+
+/// Directives that stand above everything else in one shader of a table.
+pub(crate) fn directives(table: &CaseTable, shader: ShaderKind) -> &'static str {
+    if uses_clip_distances(table, shader) { "enable clip_distances;\n\n" } else { "" }
+}
+
+/// Whether the pipeline itself cuts casters: where facets share tiles and the device has what it takes.
+pub(crate) fn uses_clip_distances(table: &CaseTable, shader: ShaderKind) -> bool {
+    table.clips > 0 && matches!(shader, ShaderKind::Capture | ShaderKind::CaptureTested)
 }
 
 /// WGSL type of a field, under the library's names.
@@ -51,23 +61,32 @@ pub(crate) fn binding_type(kind: BindingKind) -> &'static str {
     match kind {
         BindingKind::Uniform { record, .. } => record.name(),
         BindingKind::Map | BindingKind::SceneDepth => "texture_depth_2d",
-        BindingKind::SceneLinearDepth | BindingKind::SceneNormal => "texture_2d<f32>",
+        BindingKind::SceneLinearDepth | BindingKind::SceneNormal | BindingKind::CasterMask => {
+            "texture_2d<f32>"
+        }
         BindingKind::ComparisonSampler => "sampler_comparison",
-        BindingKind::GatherSampler => "sampler",
+        BindingKind::GatherSampler | BindingKind::CasterMaskSampler => "sampler",
     }
 }
 
 /// One sentence on what is bound.
-pub(crate) fn binding_summary(kind: BindingKind) -> &'static str {
+pub(crate) fn binding_summary(table: &CaseTable, kind: BindingKind) -> &'static str {
     match kind {
         BindingKind::Uniform { record: RecordKind::Facet, .. } => "One facet.",
         BindingKind::Uniform { record: RecordKind::Shadow, .. } => "The plan.",
         BindingKind::Uniform { record: RecordKind::Capture, .. } => "The facet that is captured.",
+        BindingKind::Uniform { record: RecordKind::CasterMask, .. } => "How the caster's mask is read.",
         BindingKind::Uniform { record: RecordKind::Mask, .. } => "The view.",
         BindingKind::Map => "The shadow map.",
         BindingKind::SceneDepth => "The engine's depth, reversed-z.",
         BindingKind::SceneLinearDepth => "The engine's depth in metres along the view axis.",
-        BindingKind::SceneNormal => "The engine's geometric normals, world axes.",
+        BindingKind::SceneNormal => "The engine's geometric normals, in the case's axes.",
+        BindingKind::CasterMask => "The caster's mask; its alpha channel tells holes.",
+        BindingKind::CasterMaskSampler => "The engine's sampler for masks.",
+        BindingKind::ComparisonSampler if table.may_reverse_depth => {
+            "Compares less or equal, or greater or equal where depth is stored reversed; blends linearly, clamps to \
+             the edge."
+        }
         BindingKind::ComparisonSampler => "Compares less or equal, blends linearly, clamps to the edge.",
         BindingKind::GatherSampler => "Takes the nearest texel, clamps to the edge.",
     }
@@ -83,19 +102,27 @@ fn print_record(record: &Record, text: &mut String) {
     line(text, format_args!("struct {} {{", record.kind.name()));
     for field in record.fields.iter() {
         line(text, format_args!("    /// {}", field.meaning.summary()));
-        line(text, format_args!("    {}: {},", field.name, field_type(field)));
+        let size = padded_size(record, field).map_or(String::new(), |bytes| format!("@size({bytes}) "));
+        line(text, format_args!("    {size}{}: {},", field.name, field_type(field)));
     }
     line(text, format_args!("}}\n"));
 }
 
-fn print_binding(group: u32, binding: &Binding, prefix: &Prefix, text: &mut String) {
+/// Bytes that the only field of a record takes, where the record is larger than the field: uniform buffers come in
+/// multiples of 16 bytes, which WGSL gives by itself only to structs that hold a `vec4`.
+fn padded_size(record: &Record, field: &RecordField) -> Option<u32> {
+    let small = matches!(field.ty, FieldType::F32 | FieldType::Vec2);
+    (record.fields.len() == 1 && small && field.elements == 0).then_some(record.size_bytes)
+}
+
+fn print_binding(table: &CaseTable, group: u32, binding: &Binding, prefix: &Prefix, text: &mut String) {
     let space = match binding.kind {
         BindingKind::Uniform { .. } => "var<uniform>",
         _ => "var",
     };
     let name = prefix.strip(&binding.name);
     let number = binding.binding;
-    line(text, format_args!("/// {}", binding_summary(binding.kind)));
+    line(text, format_args!("/// {}", binding_summary(table, binding.kind)));
     line(text, format_args!("@group({group}) @binding({number})"));
     line(text, format_args!("{space} {name}: {};\n", binding_type(binding.kind)));
 }

@@ -110,3 +110,98 @@ fn fewer_bands_are_fewer_bytes_and_other_tables() {
     assert_ne!(eight.table.fingerprint, five.table.fingerprint);
     assert_ne!(eight.json, five.json);
 }
+
+#[test]
+fn opaque_casters_need_no_alpha_mask() {
+    let (opaque, tested) = (declared(""), declared("casters: alpha_tested"));
+    let masks = [ShaderKind::CaptureTested, ShaderKind::CaptureTestedClamped];
+    for shader in masks {
+        assert!(opaque.table.shader(shader).is_none() && opaque.table.pass(shader).is_none());
+        assert!(tested.table.shader(shader).is_some() && tested.table.pass(shader).is_some());
+    }
+    assert!(opaque.table.record(RecordKind::CasterMask).is_none());
+    assert!(tested.table.record(RecordKind::CasterMask).is_some());
+    for output in [&opaque.rust, &opaque.json] {
+        let output = output.to_ascii_lowercase();
+        assert!(
+            !output.contains("caster_mask") && !output.contains("castermask") && !output.contains("tested")
+        );
+    }
+
+    // A case with masks pays for them in the tested shaders alone.
+    for shader in opaque.table.shaders.iter() {
+        let other = tested.table.shader(shader.kind).unwrap();
+        assert_eq!(shader.spirv, other.spirv, "{}", shader.kind.name());
+        assert!(!other.wgsl.contains("uv") && !other.wgsl.contains("caster_mask"), "{}", shader.kind.name());
+    }
+    let words = |shader| tested.table.shader(shader).unwrap().spirv.len();
+    assert!(words(ShaderKind::Capture) < words(ShaderKind::CaptureTested));
+    assert!(words(ShaderKind::CaptureClamped) < words(ShaderKind::CaptureTestedClamped));
+}
+
+#[test]
+fn a_tested_capture_writes_no_depth_of_its_own_where_depth_stays_unclipped() {
+    let tested = declared("casters: alpha_tested");
+    let writes = |shader| tested.table.shader(shader).unwrap().wgsl.contains("frag_depth");
+    assert!(!writes(ShaderKind::CaptureTested) && writes(ShaderKind::CaptureTestedClamped));
+}
+
+#[test]
+fn a_fixed_depth_order_has_no_sign() {
+    for filter in ["none", "hardware_2x2", "gather_2x2"] {
+        for bias in ["none", "constant", "slope", "world_texel", "receiver_plane"] {
+            let fixed = declared(&format!(
+                "technique: standard, shadow_distance: 1 km, filter: {filter}, bias: {bias}, resolve: [mask, function]"
+            ));
+            assert!(
+                !fixed.rust.contains("depth_sign") && !fixed.json.contains("depth_sign"),
+                "{filter} {bias}"
+            );
+            let chosen = declared(&format!("filter: {filter}, bias: {bias}, resolve: [mask, function]"));
+            for shader in [ShaderKind::Mask, ShaderKind::Function] {
+                let text = &chosen.table.shader(shader).unwrap().wgsl;
+                assert!(
+                    text.matches("sun_shadow.depth_sign").count() >= 2,
+                    "{filter} {bias}: compare and clamp"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn tiles_of_one_facet_are_not_cut() {
+    for body in ["", "technique: standard, shadow_distance: 1 km", "casters: alpha_tested"] {
+        let rectangles = declared(body);
+        for shader in rectangles.table.shaders.iter() {
+            assert!(!shader.wgsl.contains("clips") && !shader.wgsl.contains("enable"), "{body}");
+        }
+        assert!(!rectangles.json.contains("\"name\": \"clips\""), "{body}");
+    }
+}
+
+#[test]
+fn without_a_shear_the_axes_change_comments_alone() {
+    let of = |axes: &str| declared(&format!("technique: standard, shadow_distance: 1 km, axes: {axes}"));
+    let (camera, world) = (of("camera"), of("world"));
+    let said = "// Positions and normals are relative to the eye, in world axes.\n";
+    for shader in camera.table.shaders.iter() {
+        let other = world.table.shader(shader.kind).unwrap();
+        assert!(shader.spirv == other.spirv, "{}", shader.kind.name());
+        let resolves = matches!(shader.kind, ShaderKind::Mask | ShaderKind::Function);
+        assert_eq!(other.wgsl.contains(said), resolves, "{}", shader.kind.name());
+        assert!(!shader.wgsl.contains("world axes"), "{}", shader.kind.name());
+    }
+}
+
+#[test]
+fn only_camera_axes_that_texels_follow_are_sheared() {
+    let sheared = |body: &str| {
+        let generated = declared(body);
+        let shaders = generated.table.shaders.iter().any(|shader| shader.wgsl.contains("shear"));
+        assert_eq!(shaders, generated.json.contains("\"name\": \"shear\""), "{body}");
+        shaders
+    };
+    assert!(sheared("") && sheared("configurations: [four_plane]"));
+    assert!(!sheared("axes: world") && !sheared("technique: standard, shadow_distance: 1 km"));
+}

@@ -35,6 +35,27 @@ fn sun() {
 }
 
 #[test]
+fn four_planes_and_alpha_masks() {
+    let variant = declared(
+        "technique: camera_space, configurations: [one_plane, four_plane], casters: alpha_tested, axes: world, \
+         filter: hardware_2x2, bias: constant(5 cm)",
+    );
+    for shader in variant.table.shaders.iter() {
+        insta::assert_snapshot!(format!("four_plane.{}.wgsl", shader.kind.name()), shader.wgsl);
+    }
+    insta::assert_snapshot!("four_plane.json", variant.json);
+    insta::assert_snapshot!("four_plane.explain", variant.explain);
+}
+
+#[test]
+fn alpha_masks_in_tiles_of_their_own() {
+    let variant = declared("casters: alpha_tested");
+    for shader in [ShaderKind::CaptureTested, ShaderKind::CaptureTestedClamped] {
+        insta::assert_snapshot!(format!("tested.{}.wgsl", shader.name()), wgsl(&variant, shader));
+    }
+}
+
+#[test]
 fn parallel_split() {
     let pssm = shipped("pssm4_log");
     insta::assert_snapshot!("pssm4_log.function.wgsl", wgsl(&pssm, ShaderKind::Function));

@@ -47,6 +47,10 @@ pub struct LightCase {
     pub filter: Filter,
     /// How bias is found.
     pub bias: Bias,
+    /// What the engine's casters are.
+    pub casters: Casters,
+    /// Axes in which the shaders take positions and normals.
+    pub axes: Axes,
     /// Interfaces that the shaders offer.
     pub resolve: Vec<Resolve>,
     /// Lower snake case prefix of every emitted shader name; never ends in a digit.
@@ -188,6 +192,44 @@ impl Bias {
     }
 }
 
+/// What the engine's casters are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Casters {
+    /// Triangles alone.
+    Opaque,
+    /// Triangles, some of which are cut out by the alpha channel of a texture.
+    AlphaTested,
+}
+
+impl Casters {
+    /// Name in declarations, tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Opaque => "opaque",
+            Self::AlphaTested => "alpha_tested",
+        }
+    }
+}
+
+/// Axes of positions and normals in the resolve shaders; positions are always relative to the eye, in metres.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axes {
+    /// The camera's: x right, y up, looking along -z. Coordinates across the view are small, so f32 holds them best.
+    Camera,
+    /// The world's.
+    World,
+}
+
+impl Axes {
+    /// Name in declarations, tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Camera => "camera",
+            Self::World => "world",
+        }
+    }
+}
+
 /// An interface of the resolve stage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Resolve {
@@ -219,7 +261,7 @@ pub enum MaskDepth {
 pub enum MaskNormal {
     /// Reconstructed from neighbouring depths.
     Reconstructed,
-    /// Read from a float texture with world-axes unit normals.
+    /// Read from a float texture with unit normals in the case's axes.
     Texture,
 }
 
@@ -249,7 +291,26 @@ impl LightCase {
 
     /// How many facets a plan of this case may have, and how a receiver finds its own.
     pub fn shape(&self) -> FacetShape {
-        (self.technique_spec().shape)(self)
+        let spec = self.technique_spec();
+        let none = FacetShape { sectors: 1, bands: 1, clips: 0 };
+        self.configurations.iter().fold(none, |shape, word| {
+            let one = (spec.configuration(word.name).shape)(self, word);
+            FacetShape {
+                sectors: shape.sectors.max(one.sectors),
+                bands: shape.bands.max(one.bands),
+                clips: shape.clips.max(one.clips),
+            }
+        })
+    }
+
+    /// Whether plans may store depth falling away from the light; see [`crate::plan::DepthOrder`].
+    pub fn may_reverse_depth(&self) -> bool {
+        self.technique_spec().follows_camera
+    }
+
+    /// Whether the resolve shaders shear positions along the light; see [`crate::ShadowPlan::shear`].
+    pub fn shears(&self) -> bool {
+        self.axes == Axes::Camera && self.technique_spec().follows_camera
     }
 
     /// Gutter of every tile in texels.

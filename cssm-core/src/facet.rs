@@ -7,10 +7,12 @@
 //!   included), y up, z in [0, 1] growing away from the light. The rows x, y and w annihilate the light
 //!   (r.L = 0), so every point of a light ray lands on the same texel; along the ray z/w grows strictly;
 //! * **select** half-spaces, which say which receivers are its own. Receivers outside belong to another facet;
-//! * **clip** half-spaces, which say which parts of casters may be drawn. Each contains the light (h.L = 0), so a
-//!   caster is never cut off from the receivers below it. Select and clip are different sets: a depth slab
-//!   selects receivers but must never clip casters;
-//! * a **tile**: its rectangle of the map, in whole texels, with gutters that only filter taps read.
+//! * **clip** half-spaces, which say which parts of casters may be drawn where facets share a tile. Each contains
+//!   the light (h.L = 0), so a caster is never cut off from the receivers below it. Select and clip are different
+//!   sets: a depth slab selects receivers but must never clip casters, and the clip set of a facet reaches past its
+//!   receivers by the gutter;
+//! * a **tile**: its rectangle of the map, in whole texels, with gutters that only filter taps read. Triangular
+//!   facets share a tile; clip half-spaces keep them apart.
 //!
 //! Standard maps, parallel splits, warped maps and camera space maps differ only in which facets they list; no
 //! shader, table or runtime code asks which technique made one. The view and the light decide the numbers; the
@@ -29,6 +31,8 @@ pub struct FacetShape {
     pub sectors: u32,
     /// Bands in each sector, told apart by thresholds on the sector's distance row; 1: no thresholds.
     pub bands: u32,
+    /// Half-spaces that the capture cuts casters with; 0: every tile is a rectangle of its own.
+    pub clips: u32,
 }
 
 impl FacetShape {
@@ -45,7 +49,8 @@ pub struct FacetRows {
     pub x: DVec4,
     /// Clip y of the tile, up; annihilates the light.
     pub y: DVec4,
-    /// Clip z, from 0 towards the light to 1; z/w grows along the ray away from the light.
+    /// Clip z, from 0 towards the light to 1; z/w grows along the ray away from the light. With
+    /// [`crate::plan::DepthOrder::Reversed`] from 1 to 0.
     pub z: DVec4,
     /// Clip w, positive on receivers; annihilates the light.
     pub w: DVec4,
@@ -104,7 +109,8 @@ pub struct Facet {
     pub rows: FacetRows,
     /// Half-spaces (h.X >= 0) that hold the facet's own receivers.
     pub select: Vec<DVec4>,
-    /// Half-spaces (h.X >= 0, h.L = 0) that hold every caster part that may be drawn.
+    /// Half-spaces (h.X >= 0, h.L = 0) that the capture cuts casters with, gutters included; empty where the tile's
+    /// rectangle does it. At most [`FacetShape::clips`].
     pub clip: Vec<DVec4>,
     /// Rectangle of the map.
     pub tile: Tile,
@@ -113,7 +119,7 @@ pub struct Facet {
     /// Half-spaces (h.X >= 0) that hold everything whose shadow can reach the facet's receivers or the filter taps
     /// around them; a box entirely outside one of them casts no shadow here.
     pub casters: Vec<DVec4>,
-    /// Change of z/w times w per metre away from the light.
+    /// Change of z/w times w per metre along the light, positive.
     pub depth_per_metre: f64,
     /// Size of a texel across the light ray in metres, divided by w at the same point; the larger axis.
     pub texel_metres_per_w: f64,
@@ -141,6 +147,27 @@ impl Selection {
     /// The walk of a plan with one facet.
     pub fn single() -> Self {
         Self { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands: 1 }
+    }
+
+    /// The walk of a plan that may have fewer sectors and bands than the shape of its case: what is missing is never
+    /// reached.
+    pub fn padded(mut self, shape: &FacetShape) -> Self {
+        let (sectors, bands) = (shape.sectors as usize, shape.bands as usize);
+        if sectors > 1 {
+            if self.borders.is_empty() {
+                self.borders.push(DVec4::W);
+            }
+            self.borders.resize(sectors, -DVec4::W);
+        }
+        if bands > 1 {
+            self.distances.resize(sectors, DVec4::W);
+            self.thresholds.resize(sectors, Vec::new());
+            for limits in &mut self.thresholds {
+                limits.resize(bands - 1, f64::MAX);
+            }
+        }
+        self.bands = shape.bands;
+        self
     }
 
     /// The sector of a homogeneous point relative to the eye.

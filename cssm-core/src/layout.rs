@@ -36,6 +36,11 @@ pub struct Gram {
 }
 
 impl Gram {
+    /// Major axis in pixels of one texel of a tile of this inner size.
+    pub fn major_pixels(&self, width: f64, height: f64) -> f64 {
+        self.major_pixels_squared(width, height).sqrt()
+    }
+
     /// Squared major axis in pixels of one texel of a tile of this inner size.
     fn major_pixels_squared(&self, width: f64, height: f64) -> f64 {
         let (xx, yy, xy) =
@@ -63,7 +68,7 @@ impl MapArea {
         2 * self.gutter + SMALLEST_INNER_SIDE
     }
 
-    fn too_small(&self, tiles: usize) -> PlanError {
+    pub(crate) fn too_small(&self, tiles: usize) -> PlanError {
         PlanError::MapTooSmall {
             width: self.width,
             height: self.height,

@@ -32,7 +32,9 @@
 //! Graphics interfaces, shader languages, syntax, files, time and randomness.
 
 pub mod case;
+pub mod choose;
 mod depth;
+pub mod distribution;
 pub mod facet;
 pub mod footprint;
 pub mod homography;

@@ -1,6 +1,8 @@
 //! Lights of a frame.
 
-use glam::{DVec3, DVec4};
+use glam::{DVec2, DVec3, DVec4};
+
+use crate::view::View;
 
 /// A light in world space.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +41,48 @@ impl Light {
     pub fn homogeneous(&self) -> DVec4 {
         match self {
             Self::Directional { toward_light_world } => toward_light_world.extend(0.0),
+        }
+    }
+}
+
+/// Where a directional light stands to a view.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LightPosition {
+    /// In the view or exactly opposite: the light ray through the eye runs inside the frustum (dueling frusta).
+    Dueling,
+    /// Just outside: an image rectangle that takes the ray in is at most half as large again as the view's.
+    Border,
+    /// Anywhere else.
+    General,
+}
+
+/// Margin around the light ray, in sides of the image, with which it is taken in.
+const BORDER_MARGIN: f64 = 0.05;
+/// Largest area of the image rectangle with the ray taken in, in areas of the image.
+const BORDER_AREA: f64 = 1.5;
+
+impl LightPosition {
+    /// The position of a light, given as the direction towards it in camera axes.
+    pub fn of(view: &View, toward_camera: DVec3) -> Self {
+        let (low, high) = (DVec2::new(view.left, view.bottom), DVec2::new(view.right, view.top));
+        let ray = DVec2::new(toward_camera.x, toward_camera.y) / -toward_camera.z;
+        if !ray.is_finite() {
+            return Self::General;
+        }
+        if ray.cmpgt(low).all() && ray.cmplt(high).all() {
+            return Self::Dueling;
+        }
+        let size = high - low;
+        let enlarged = high.max(ray + size * BORDER_MARGIN) - low.min(ray - size * BORDER_MARGIN);
+        if enlarged.x * enlarged.y <= BORDER_AREA * size.x * size.y { Self::Border } else { Self::General }
+    }
+
+    /// Name for reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Dueling => "in or opposite the view",
+            Self::Border => "just outside the view",
+            Self::General => "outside the view",
         }
     }
 }

@@ -1,17 +1,20 @@
 //! One call for everything: from a case and this frame's view and light to facets.
 
-use glam::{DVec3, DVec4};
+use glam::{DMat3, DVec2, DVec3, DVec4};
 
 mod casters;
 mod finish;
+mod fitted;
+mod region;
 mod window;
 
+use self::fitted::Fitted;
 use crate::case::{FarKind, LightCase};
+use crate::choose::{ConfigurationChoice, Kept, Prediction, choose, made_for};
 use crate::facet::{Facet, Selection};
-use crate::layout::{self, MapArea, TileDemand};
-use crate::light::Light;
+use crate::light::{Light, LightPosition};
 use crate::receivers::Polytope;
-use crate::technique::Situation;
+use crate::technique::{Draft, Situation};
 use crate::view::View;
 
 /// What is known about the scene.
@@ -35,10 +38,20 @@ pub struct BoundingBox {
 pub struct ShadowPlan {
     /// Chosen configuration, a name of the technique's table.
     pub configuration: &'static str,
+    /// Why it was chosen.
+    pub choice: ConfigurationChoice,
     /// Eye position the rows are relative to, world space, metres.
     pub eye_world: DVec3,
+    /// Rotation (or reflection) from world axes to camera axes; records hold rows in camera axes.
+    pub camera_from_world: DMat3,
+    /// Moves a point of camera axes along the light to the plane z = 0: x + shear.x z, y + shear.y z. With the light in
+    /// or near the view every facet row but depth then depends on two coordinates that hold no part along the
+    /// light; without, f32 sums would cancel where receivers lie far along their rays. Zero elsewhere.
+    pub shear: DVec2,
     /// The light as a homogeneous point relative to the eye, world axes.
     pub light: DVec4,
+    /// How the map stores depth.
+    pub depth_order: DepthOrder,
     /// Width and height of the map in texels.
     pub map_size_texels: (u32, u32),
     /// The walk from a receiver to its facet.
@@ -46,6 +59,36 @@ pub struct ShadowPlan {
     /// Facets with receivers, in ascending index; an index that the selection can name but that is not listed
     /// belongs to no visible receiver.
     pub facets: Vec<Facet>,
+}
+
+/// Which end of stored depth lies towards the light.
+///
+/// Floats are finest near zero, and texels are finest near the eye: zero belongs to the end of the rays where the eye
+/// is (facet algebra: with the light ahead, a map stored the other way loses two orders of magnitude).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DepthOrder {
+    /// 0 towards the light; the smallest depth wins.
+    Standard,
+    /// 1 towards the light; the largest depth wins.
+    Reversed,
+}
+
+impl DepthOrder {
+    /// 1, or -1 where depth falls away from the light.
+    pub const fn sign(self) -> f64 {
+        match self {
+            Self::Standard => 1.0,
+            Self::Reversed => -1.0,
+        }
+    }
+
+    /// What the map holds where no caster is.
+    pub const fn cleared(self) -> f64 {
+        match self {
+            Self::Standard => 1.0,
+            Self::Reversed => 0.0,
+        }
+    }
 }
 
 /// Why no plan can be made.
@@ -107,6 +150,13 @@ pub enum PlanError {
 }
 
 impl ShadowPlan {
+    /// From directions of world axes to the sheared camera axes of capture records: compose instance transforms with it
+    /// in f64 and round once.
+    pub fn capture_from_world(&self) -> DMat3 {
+        let shear = DMat3::from_cols(DVec3::X, DVec3::Y, self.shear.extend(1.0));
+        shear * self.camera_from_world
+    }
+
     /// The facet with an index of [`Selection::facet`], if it has visible receivers.
     pub fn facet(&self, index: u32) -> Option<&Facet> {
         self.facets.iter().find(|facet| facet.index == index)
@@ -126,7 +176,8 @@ impl Facet {
     }
 }
 
-/// Makes this frame's plan. Total: a plan or a typed reason.
+/// Makes this frame's plan. Total: a plan or a typed reason. Where the case declares several configurations, the one
+/// with the smallest predicted footprint is taken; [`crate::choose::Chooser`] also remembers earlier frames.
 ///
 /// # Errors
 /// A [`PlanError`] that says what to change.
@@ -135,6 +186,17 @@ pub fn plan(
     view: &View,
     light: &Light,
     bounds: &SceneBounds,
+) -> Result<ShadowPlan, PlanError> {
+    plan_preferring(case, view, light, bounds, Kept::default())
+}
+
+/// [`plan()`], with a configuration to stay with.
+pub(crate) fn plan_preferring(
+    case: &LightCase,
+    view: &View,
+    light: &Light,
+    bounds: &SceneBounds,
+    kept: Kept,
 ) -> Result<ShadowPlan, PlanError> {
     // Bring the light to camera space; refuse what is not finite.
     let light_world = light.homogeneous();
@@ -148,38 +210,90 @@ pub fn plan(
     let situation =
         Situation { case, view, light: toward.extend(0.0), receivers: receivers(case, view, bounds)? };
 
-    // Let the technique choose facets, fit their windows and share the map among those with receivers.
-    let draft = (case.technique_spec().draft)(&situation)?;
-    let windows = window::fit(&draft, &situation);
-    let demands: Vec<TileDemand> = windows.iter().map(window::Window::demand).collect();
-    let area = MapArea {
-        width: case.map.width,
-        height: case.map.height,
-        gutter: case.gutter_texels(),
-        strips: case.map.columns,
+    // Draft every declared configuration, fit the drafts and take the best.
+    let spec = case.technique_spec();
+    let drafts = drafts(&situation)?;
+    let mut fitted = fit_all(&drafts, &situation)?;
+    let predictions: Vec<Prediction> = fitted.iter().map(Fitted::prediction).collect();
+    let (best, reason) = choose(&predictions, kept);
+    let Fitted { draft, windows, tiles, .. } = fitted.swap_remove(best);
+
+    // Store depth and shear positions the way that rounds least.
+    let position = LightPosition::of(view, toward);
+    let shear = match position {
+        LightPosition::General => DVec2::ZERO,
+        _ if !spec.follows_camera => DVec2::ZERO,
+        _ => DVec2::new(toward.x, toward.y) / -toward.z,
     };
-    let tiles = if demands.is_empty() { Vec::new() } else { layout::place(&demands, &area)? };
+    let ahead = toward.z < 0.0;
+    let depth_order = if ahead && spec.follows_camera { DepthOrder::Reversed } else { DepthOrder::Standard };
 
     // Finish each facet and turn everything to world axes.
+    let rules = finish::DepthRules { order: depth_order, shear };
     let camera_from_world = view.camera_from_world;
     let row_to_world = |row: DVec4| (camera_from_world.transpose() * row.truncate()).extend(row.w);
     let mut facets = Vec::with_capacity(windows.len());
-    for (window, tile) in windows.into_iter().zip(tiles) {
-        let facet = finish::finish(window, tile, &situation)?;
+    for (window, tile) in windows.iter().zip(tiles) {
+        let facet = finish::finish(window, tile, rules, &situation)?;
         facets.push(facet.turned(&row_to_world));
     }
-    let mut selection = draft.selection;
+    let mut selection = draft.selection.clone().padded(&case.shape());
     for row in selection.borders.iter_mut().chain(&mut selection.distances) {
         *row = row_to_world(*row);
     }
+    let configuration = draft.configuration;
+    let choice = ConfigurationChoice {
+        position,
+        configuration,
+        reason,
+        predictions: if predictions.len() > 1 { predictions } else { Vec::new() },
+        made_for_position: made_for(spec, position, configuration),
+    };
     Ok(ShadowPlan {
-        configuration: draft.configuration,
+        configuration,
+        choice,
         eye_world: view.eye_world,
+        camera_from_world,
+        shear,
         light: light_world,
+        depth_order,
         map_size_texels: (case.map.width, case.map.height),
         selection,
         facets,
     })
+}
+
+/// The drafts of every declared configuration that has one; an error only where none has.
+fn drafts(situation: &Situation<'_>) -> Result<Vec<Draft>, PlanError> {
+    let spec = situation.case.technique_spec();
+    let mut drafts = Vec::new();
+    let mut first_error = None;
+    for word in &situation.case.configurations {
+        match (spec.configuration(word.name).draft)(situation, word) {
+            Ok(forms) => drafts.extend(forms),
+            Err(error) => first_error = first_error.or(Some(error)),
+        }
+    }
+    match first_error {
+        Some(error) if drafts.is_empty() => Err(error),
+        _ => Ok(drafts),
+    }
+}
+
+/// The drafts that fit the map, fitted; an error only where none does.
+fn fit_all<'a>(drafts: &'a [Draft], situation: &Situation<'_>) -> Result<Vec<Fitted<'a>>, PlanError> {
+    let mut all = Vec::with_capacity(drafts.len());
+    let mut first_error = None;
+    for draft in drafts {
+        match fitted::fit(draft, situation) {
+            Ok(fitted) => all.push(fitted),
+            Err(error) => first_error = first_error.or(Some(error)),
+        }
+    }
+    match first_error {
+        Some(error) if all.is_empty() => Err(error),
+        _ => Ok(all),
+    }
 }
 
 /// Everything visible that may be in shadow, in camera space.

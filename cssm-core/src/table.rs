@@ -9,11 +9,11 @@ mod describe;
 mod write;
 
 pub use constant::{Constant, ConstantKind, ConstantValue};
-pub use write::{write_capture_record, write_mask_record, write_shadow_record};
+pub use write::{write_capture_record, write_caster_mask_record, write_mask_record, write_shadow_record};
 
 use std::borrow::Cow;
 
-use crate::case::DepthFormat;
+use crate::case::{Axes, DepthFormat};
 
 /// Records, bindings, passes and shaders of one case.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +34,15 @@ pub struct CaseTable {
     pub sectors: u32,
     /// Bands in each sector.
     pub bands: u32,
+    /// Half-spaces that the capture cuts casters with; 0: every tile is a rectangle of its own.
+    pub clips: u32,
+    /// Whether plans may store depth reversed; the shadow record then holds its sign.
+    pub may_reverse_depth: bool,
+    /// Axes of positions and normals in the resolve shaders.
+    pub axes: Axes,
+    /// Whether the resolve shaders shear positions along the light; the shadow record then holds the shear and its rows
+    /// are those of sheared camera axes. Capture records are in sheared camera axes always.
+    pub shears: bool,
     /// Texture fetch instructions of the map per resolved pixel.
     pub fetches_per_pixel: u32,
     /// Numbers that the shaders are specialised for.
@@ -70,6 +79,8 @@ pub enum RecordKind {
     Shadow,
     /// What capturing needs of one facet.
     Capture,
+    /// What capturing needs of an alpha-tested caster.
+    CasterMask,
     /// What the mask pass needs of the view.
     Mask,
 }
@@ -81,6 +92,7 @@ impl RecordKind {
             Self::Facet => "Facet",
             Self::Shadow => "Shadow",
             Self::Capture => "Capture",
+            Self::CasterMask => "CasterMask",
             Self::Mask => "Mask",
         }
     }
@@ -90,7 +102,8 @@ impl RecordKind {
         match self {
             Self::Facet => "What resolving needs of one facet; all zero where a plan has none.",
             Self::Shadow => "What resolving needs of a plan.",
-            Self::Capture => "What capturing needs of one facet: its matrix, row by row.",
+            Self::Capture => "What capturing needs of one facet, in the capture's axes: its matrix, row by row.",
+            Self::CasterMask => "What capturing needs of an alpha-tested caster.",
             Self::Mask => "What the mask pass needs of the view.",
         }
     }
@@ -147,8 +160,16 @@ pub enum Meaning {
     TexelMetresPerW,
     /// Depth by which an exact receiver plane is lowered.
     ReceiverPlaneDepth,
-    /// Unit vector towards the light, world axes.
+    /// Unit vector towards the light, in the case's axes.
     TowardLight,
+    /// What x and y gain per z by the shear along the light: leading parts (xy), then the rest (zw).
+    Shear,
+    /// 1 where stored depth grows away from the light, -1 where it falls.
+    DepthSign,
+    /// Half-spaces that casters are cut with; all of space where a facet has none.
+    Clips,
+    /// Alpha below which a caster has a hole.
+    AlphaCutoff,
     /// Border rows of the selection walk, one per sector.
     Borders,
     /// Distance rows, one per sector.
@@ -158,7 +179,7 @@ pub enum Meaning {
     Thresholds,
     /// All facets, by index.
     Facets,
-    /// Direction relative to the eye, world axes, depth 1, at the image's upper left corner.
+    /// Direction relative to the eye, in the case's axes, depth 1, at the image's upper left corner.
     RayCorner,
     /// Change of that direction across the whole image width.
     RayAcross,
@@ -174,7 +195,7 @@ impl Meaning {
         match self {
             Self::RowX => "Clip x of the tile, to the right.",
             Self::RowY => "Clip y of the tile, upwards.",
-            Self::RowZ => "Clip z, growing away from the light.",
+            Self::RowZ => "Clip z: depth along the light times w.",
             Self::RowW => "Clip w, positive on receivers.",
             Self::TexelFromNdc => "Map texel coordinates = clip space after division * xy + zw.",
             Self::TexelLimits => {
@@ -183,14 +204,22 @@ impl Meaning {
             Self::DepthPerMetre => "Depth times w per metre away from the light.",
             Self::TexelMetresPerW => "Larger side of a texel across the light in metres, per w.",
             Self::ReceiverPlaneDepth => "Depth by which an exact receiver plane is lowered.",
-            Self::TowardLight => "Unit vector towards the light, world axes.",
+            Self::TowardLight => "Unit vector towards the light, in the case's axes.",
+            Self::Shear => {
+                "What x and y gain per z by the shear along the light: leading parts, then the rest."
+            }
+            Self::DepthSign => "1 where stored depth grows away from the light, -1 where it falls.",
+            Self::Clips => "Half-spaces that casters are cut with.",
+            Self::AlphaCutoff => "Alpha below which the caster has a hole.",
             Self::Borders => "Border rows of the sectors, in walking order; the first closes the ring.",
             Self::Distances => "Distance row of each sector.",
             Self::Thresholds => {
                 "Ascending band limits of each sector, four to a vector; unused ones are out of reach."
             }
             Self::Facets => "The facets: index = sector * bands + band.",
-            Self::RayCorner => "Direction through the image's upper left corner, depth 1, world axes.",
+            Self::RayCorner => {
+                "Direction through the image's upper left corner, depth 1, in the case's axes."
+            }
             Self::RayAcross => "Change of that direction across the whole image.",
             Self::RayDown => "Change of that direction down the whole image.",
             Self::InverseDepth => "One over the depth in metres = stored depth * x + y.",
@@ -216,6 +245,8 @@ pub struct BindGroup {
 pub enum GroupContent {
     /// One facet of the capture stage.
     CaptureFacet,
+    /// Alpha mask of a caster.
+    CasterMask,
     /// The engine's depth (and normals) and the view.
     MaskInput,
     /// The plan, the map and its sampler.
@@ -251,7 +282,11 @@ pub enum BindingKind {
     SceneLinearDepth,
     /// The engine's geometric normals: `texture_2d<f32>`, not filtered.
     SceneNormal,
-    /// `sampler_comparison`, linear, less or equal.
+    /// Alpha mask of a caster: `texture_2d<f32>`, filtered.
+    CasterMask,
+    /// The engine's sampler for alpha masks.
+    CasterMaskSampler,
+    /// `sampler_comparison`, linear; less or equal, or greater or equal where depth is stored reversed.
     ComparisonSampler,
     /// `sampler`, nearest, not filtering.
     GatherSampler,
@@ -260,10 +295,14 @@ pub enum BindingKind {
 /// The shader modules a case can have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShaderKind {
-    /// Renders casters; needs unclipped depth.
+    /// Renders casters; needs unclipped depth, and clip distances where facets share tiles.
     Capture,
-    /// Renders casters where unclipped depth is missing: clamps per fragment.
+    /// Renders casters on every device: clamps depth and cuts casters per fragment.
     CaptureClamped,
+    /// As [`Self::Capture`], for casters with an alpha mask.
+    CaptureTested,
+    /// As [`Self::CaptureClamped`], for casters with an alpha mask.
+    CaptureTestedClamped,
     /// Screen-space visibility.
     Mask,
     /// The function for the engine's materials; no entry point.
@@ -276,6 +315,8 @@ impl ShaderKind {
         match self {
             Self::Capture => "capture",
             Self::CaptureClamped => "capture_clamped",
+            Self::CaptureTested => "capture_tested",
+            Self::CaptureTestedClamped => "capture_tested_clamped",
             Self::Mask => "mask",
             Self::Function => "function",
         }
@@ -302,6 +343,8 @@ pub struct Pass {
 pub enum Resource {
     /// The engine's caster geometry.
     Casters,
+    /// The engine's alpha masks.
+    CasterMasks,
     /// The shadow map.
     Map,
     /// The engine's depth.
@@ -317,6 +360,7 @@ impl Resource {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Casters => "casters",
+            Self::CasterMasks => "caster masks",
             Self::Map => "map",
             Self::SceneDepth => "scene depth",
             Self::SceneNormal => "scene normal",

@@ -4,13 +4,14 @@ pub mod camera_space;
 pub mod parallel_split;
 pub mod standard;
 
-use glam::DVec4;
+use glam::{DVec2, DVec4};
 
 use crate::case::{CaseError, LightCase};
 use crate::facet::{FacetShape, Selection};
+use crate::light::LightPosition;
 use crate::plan::PlanError;
 use crate::receivers::Polytope;
-use crate::schema::Choice;
+use crate::schema::{Choice, Word};
 use crate::view::View;
 
 /// What the house knows about a technique.
@@ -19,17 +20,31 @@ pub struct TechniqueSpec {
     /// Name, summary and parameters as declared.
     pub choice: Choice,
     /// Configurations it can take, default first.
-    pub configurations: &'static [Choice],
+    pub configurations: &'static [ConfigurationSpec],
     /// Default distribution in the declaration grammar; `None`: the technique takes none.
     pub distribution: Option<&'static str>,
     /// Whether it can fit receivers at infinity; if not, the case must bound them.
     pub fits_infinity: bool,
-    /// Facet shape of a case that uses it.
-    pub shape: fn(&LightCase) -> FacetShape,
+    /// Whether texels follow the eye, so that plans gain from depth stored reversed with the light ahead, and from
+    /// positions sheared along the light.
+    pub follows_camera: bool,
     /// Contradictions between its parameters and the rest of the case.
     pub check: fn(&LightCase) -> Vec<CaseError>,
-    /// Its facets in a situation.
-    pub draft: fn(&Situation<'_>) -> Result<Draft, PlanError>,
+}
+
+/// What the house knows about a configuration of a technique.
+#[derive(Debug, Clone, Copy)]
+pub struct ConfigurationSpec {
+    /// Name, summary and parameters as declared.
+    pub choice: Choice,
+    /// Whether the case's distribution says how its rows are spent.
+    pub takes_distribution: bool,
+    /// Positions of the light that it is made for; elsewhere it answers as well as it can.
+    pub serves: fn(LightPosition) -> bool,
+    /// Facet shape of a case that declares it.
+    pub shape: fn(&LightCase, &Word) -> FacetShape,
+    /// Its facets in a situation, in one form or several to choose from.
+    pub draft: fn(&Situation<'_>, &Word) -> Result<Vec<Draft>, PlanError>,
 }
 
 /// Every technique: the one place outside its own file that names it.
@@ -61,13 +76,13 @@ const fn configuration_count() -> usize {
 }
 
 const fn configurations() -> [Choice; configuration_count()] {
-    let mut all = [TECHNIQUES[0].configurations[0]; configuration_count()];
+    let mut all = [TECHNIQUES[0].configurations[0].choice; configuration_count()];
     let (mut next, mut technique) = (0, 0);
     while technique < TECHNIQUES.len() {
         let own = TECHNIQUES[technique].configurations;
         let mut index = 0;
         while index < own.len() {
-            all[next] = own[index];
+            all[next] = own[index].choice;
             next += 1;
             index += 1;
         }
@@ -79,6 +94,13 @@ const fn configurations() -> [Choice; configuration_count()] {
 /// The entry of a name that a checked case holds; an unknown name falls to the first entry.
 pub fn spec(name: &str) -> &'static TechniqueSpec {
     TECHNIQUES.iter().find(|spec| spec.choice.name == name).unwrap_or(&TECHNIQUES[0])
+}
+
+impl TechniqueSpec {
+    /// The entry of a configuration; an unknown name falls to the first entry.
+    pub fn configuration(&self, name: &str) -> &'static ConfigurationSpec {
+        self.configurations.iter().find(|spec| spec.choice.name == name).unwrap_or(&self.configurations[0])
+    }
 }
 
 /// What a technique sees of a frame, in camera space (right-handed, x right, y up, looking along -z).
@@ -105,11 +127,13 @@ pub struct Draft {
     pub facets: Vec<FacetDraft>,
 }
 
-/// A facet before its window is fitted: rows up to an affine change of x and y.
+/// A facet before its window is fitted.
 #[derive(Debug)]
 pub struct FacetDraft {
-    /// Index in the selection's numbering.
-    pub index: u32,
+    /// Sector of the selection.
+    pub sector: u32,
+    /// Band within the sector.
+    pub band: u32,
     /// Across; annihilates the light.
     pub x: DVec4,
     /// Up the tile; annihilates the light.
@@ -118,12 +142,27 @@ pub struct FacetDraft {
     pub w: DVec4,
     /// Half-spaces of its own receivers.
     pub select: Vec<DVec4>,
-    /// Half-spaces of caster parts that may be drawn.
-    pub clip: Vec<DVec4>,
     /// Its own receivers.
     pub receivers: Polytope,
-    /// How much of the map it asks for.
-    pub tile: TileRequest,
+    /// Where it lies in the map.
+    pub region: Region,
+}
+
+/// Where a facet lies in the map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Region {
+    /// A tile of its own; the rows x and y are fitted to it, whatever affine change that takes.
+    Tile(TileRequest),
+    /// A triangle of a tile that it shares with every facet that names the same square.
+    Triangle {
+        /// Number of the square in the draft.
+        square: u32,
+        /// How much of the map the square asks for; equal for all its facets.
+        request: TileRequest,
+        /// The triangle in the square's clip space, counter-clockwise; the rows take receivers into it. The edge
+        /// from the second to the third corner lies on the square's border, the others are shared.
+        corners: [DVec2; 3],
+    },
 }
 
 /// How much of the map a facet asks for.

@@ -10,6 +10,7 @@ pub use capture::{Triangle, capture};
 pub use resolve::{Resolved, resolve};
 
 use crate::case::DepthFormat;
+use crate::plan::DepthOrder;
 
 /// A depth map in f64.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,14 +19,14 @@ pub struct DepthMap {
     pub width: u32,
     /// Height in texels.
     pub height: u32,
-    /// Depths row by row from the upper left corner; 1 where nothing was drawn.
+    /// Depths row by row from the upper left corner; [`DepthOrder::cleared`] where nothing was drawn.
     pub depths: Vec<f64>,
 }
 
 impl DepthMap {
     /// An empty map.
-    pub fn cleared(width: u32, height: u32) -> Self {
-        Self { width, height, depths: vec![1.0; width as usize * height as usize] }
+    pub fn cleared(width: u32, height: u32, order: DepthOrder) -> Self {
+        Self { width, height, depths: vec![order.cleared(); width as usize * height as usize] }
     }
 
     /// Depth of a texel; coordinates outside the map read its edge.

@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::contact_sheet::{self, ContactSheetArguments};
 use crate::demo::{self, DemoArguments};
 use crate::error::LabError;
 use crate::footprint_command::{self, FootprintArguments};
@@ -26,6 +27,7 @@ enum Command {
     Render(RenderArguments),
     Footprint(FootprintArguments),
     Demo(DemoArguments),
+    ContactSheet(ContactSheetArguments),
 }
 
 /// Runs what the process's arguments say; results go to standard output, faults to standard error.
@@ -53,6 +55,7 @@ fn run_command(line: &CommandLine) -> Result<String, LabError> {
             let (_, table) = demo::run(arguments, progress)?;
             Ok(table)
         }
+        Command::ContactSheet(arguments) => contact_sheet::run(arguments, progress),
         Command::Footprint(arguments) => {
             footprint_command::run(arguments)?;
             Ok(String::new())

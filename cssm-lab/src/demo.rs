@@ -1,4 +1,4 @@
-//! `cssm-lab demo`: face columns beside logarithmic parallel splits at equal texels, on both built-in scenes.
+//! `cssm-lab demo`: face columns beside logarithmic parallel splits at equal texels, on two of the built-in scenes.
 
 mod table;
 

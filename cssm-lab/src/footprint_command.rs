@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use cssm_core::case::{FarKind, LightCase};
+use cssm_core::case::{LightCase, LightCaseBuilder};
 use cssm_core::footprint::{self, VolumeScore};
 use cssm_core::glam::DVec3;
 use cssm_core::schema::{Value, Word};
@@ -208,7 +208,7 @@ fn cases(arguments: &FootprintArguments) -> Result<Vec<(String, LightCase)>, Foo
         cases.extend(parsed.into_iter().map(|case| (case.name.clone(), case)));
     }
     if arguments.cases.is_empty() {
-        cases = built_in_cases(arguments.far.min(HORIZON_METRES))?;
+        cases = built_in_cases(arguments.far.min(HORIZON_METRES), arguments.focus)?;
     }
 
     // A square map, or the nearest to it that has no more texels.
@@ -222,26 +222,32 @@ fn cases(arguments: &FootprintArguments) -> Result<Vec<(String, LightCase)>, Foo
     Ok(cases)
 }
 
-/// Techniques that need finite receivers are bounded by `far_metres`.
-fn built_in_cases(far_metres: f64) -> Result<Vec<(String, LightCase)>, FootprintError> {
+/// Techniques that need finite receivers are bounded by `far_metres`; those with a focus have it at `focus_metres`.
+fn built_in_cases(far_metres: f64, focus_metres: f64) -> Result<Vec<(String, LightCase)>, FootprintError> {
     let split = |scheme: Word| {
         let arguments = [("splits", Value::Count(4)), ("scheme", Value::Word(scheme))];
         LightCase::builder("Split").technique(Word::with("parallel_split", arguments))
     };
     let practical = Word::with("practical", [("lambda", Value::Number(0.5))]);
+    let focused = ("focus", Value::Number(focus_metres));
+    let perspective = Word::with("perspective", [focused.clone(), ("share", Value::Number(0.5))]);
+    let camera_space =
+        |name: &str, configuration: Word| LightCase::builder(name).configuration_words(vec![configuration]);
+    let four_plane =
+        |push| Word::with("four_plane", [focused.clone(), ("push", Value::Word(Word::plain(push)))]);
+    let bounded = |builder: LightCaseBuilder| builder.shadow_distance_metres(far_metres);
     let builders = [
-        ("standard", LightCase::builder("Standard").technique(Word::plain("standard"))),
-        ("pssm4_log", split(Word::plain("logarithmic"))),
-        ("pssm4_practical", split(practical)),
+        ("standard", bounded(LightCase::builder("Standard").technique(Word::plain("standard")))),
+        ("pssm4_log", bounded(split(Word::plain("logarithmic")))),
+        ("pssm4_practical", bounded(split(practical))),
+        ("one_plane", camera_space("OnePlane", Word::plain("one_plane")).distribution(perspective)),
+        ("one_plane_8", camera_space("Bands", Word::plain("one_plane")).bands(8, HORIZON_METRES)),
+        ("four_plane", camera_space("FourPlane", four_plane("t"))),
+        ("four_plane_camera", camera_space("Straight", four_plane("camera"))),
         ("face_columns_8", LightCase::builder("Faces").bands(8, HORIZON_METRES)),
     ];
-    let build = |(name, builder): (&str, cssm_core::case::LightCaseBuilder)| {
-        let bounded = if name == "face_columns_8" {
-            builder.far(FarKind::Infinite)
-        } else {
-            builder.shadow_distance_metres(far_metres)
-        };
-        let case = bounded.build().map_err(|errors| {
+    let build = |(name, builder): (&str, LightCaseBuilder)| {
+        let case = builder.build().map_err(|errors| {
             FootprintError::Declaration(errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))
         })?;
         Ok((name.to_string(), case))

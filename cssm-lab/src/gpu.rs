@@ -3,6 +3,7 @@
 //! [`CaseRunner`] lets the service capture a scene and then asks for the visibility of traced pixels: through the
 //! generated function, as an engine's material would, or through the mask pass.
 
+mod alpha_mask;
 mod depth_input;
 mod function;
 mod geometry;
@@ -100,10 +101,11 @@ impl Gpu {
 
         // Merge what the cases need with what the lab does.
         let offered = adapter.limits();
+        let lowest = wgpu::Limits::downlevel_webgl2_defaults().or_worse_values_from(&offered);
         let mut limits = wgpu::Limits {
-            max_texture_dimension_2d: width.max(height),
+            max_texture_dimension_2d: width.max(height).max(lowest.max_texture_dimension_2d),
             max_buffer_size: offered.max_buffer_size,
-            ..wgpu::Limits::downlevel_webgl2_defaults().or_worse_values_from(&offered)
+            ..lowest
         };
         let mut features = wgpu::Features::empty();
         for case in cases {

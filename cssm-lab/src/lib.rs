@@ -17,6 +17,7 @@
 pub mod arguments;
 pub mod case_file;
 pub mod command_line;
+pub mod contact_sheet;
 pub mod convergence;
 pub mod demo;
 pub mod error;

@@ -4,8 +4,8 @@ mod error;
 mod map;
 mod shaded;
 
-pub use error::error_picture;
-pub use map::map_picture;
+pub use error::{error_picture, legend, verdict_picture, worst_verdict};
+pub use map::{map_picture, map_picture_of_size};
 pub use shaded::shaded_picture;
 
 use std::path::Path;
@@ -108,6 +108,12 @@ impl Picture {
         text.chars().count() * FONT.character_size.width as usize
     }
 
+    /// Lines that a text takes on labels of a width.
+    pub fn lines(text: &str, width: usize) -> Vec<String> {
+        let letters = width.saturating_sub(2 * MARGIN_PIXELS) / FONT.character_size.width as usize;
+        wrapped(text, letters.max(1))
+    }
+
     /// Copies another picture, as far as it fits.
     pub fn paste(&mut self, other: &Self, x: usize, y: usize) {
         for row in 0..other.height {
@@ -143,11 +149,30 @@ impl Picture {
         joined
     }
 
+    /// The picture in a smaller size, each pixel by a rule from those it covers.
+    pub fn shrunk(&self, width: usize, height: usize, rule: impl Fn(&[Colour]) -> Colour) -> Self {
+        let mut shrunk = Self::filled(width, height, LABEL_BACKGROUND);
+        let span = |index: usize, count: usize, of: usize| {
+            let first = index * of / count;
+            first..((index + 1) * of / count).max(first + 1).min(of)
+        };
+        let mut covered = Vec::new();
+        for y in 0..height {
+            for x in 0..width {
+                covered.clear();
+                for row in span(y, height, self.height) {
+                    let columns = span(x, width, self.width);
+                    covered.extend(columns.map(|column| self.pixels[row * self.width + column]));
+                }
+                shrunk.set(x, y, rule(&covered));
+            }
+        }
+        shrunk
+    }
+
     /// The picture under a line of text, as many lines as the text needs.
     pub fn titled(&self, text: &str) -> Self {
-        let letters =
-            (self.width.saturating_sub(2 * MARGIN_PIXELS) / FONT.character_size.width as usize).max(1);
-        let lines = wrapped(text, letters);
+        let lines = Self::lines(text, self.width);
         let mut titled = Self::filled(self.width, self.height + lines.len() * LINE_PIXELS, LABEL_BACKGROUND);
         for (index, line) in lines.iter().enumerate() {
             titled.label(index * LINE_PIXELS, line);
@@ -189,6 +214,12 @@ fn wrapped(text: &str, letters: usize) -> Vec<String> {
         }
     }
     lines
+}
+
+/// The mean of some colours.
+pub fn mean(colours: &[Colour]) -> Colour {
+    let count = colours.len().max(1);
+    [0, 1, 2].map(|c| (colours.iter().map(|colour| usize::from(colour[c])).sum::<usize>() / count) as u8)
 }
 
 /// sRGB byte of a linear channel.
@@ -246,6 +277,17 @@ mod tests {
         reader.next_frame(&mut bytes).unwrap();
         assert_eq!(bytes, picture.pixels.as_flattened());
         assert_eq!(picture.height, 5 + 2 * LINE_PIXELS, "narrow pictures wrap their title");
+    }
+
+    #[test]
+    fn shrinking_follows_its_rule() {
+        let mut picture = Picture::filled(4, 2, [10; 3]);
+        picture.set(1, 1, [50; 3]);
+        let shrunk = picture.shrunk(2, 1, mean);
+        assert_eq!(shrunk.pixels, [[20; 3], [10; 3]]);
+        let last = |colours: &[Colour]| colours[colours.len() - 1];
+        assert_eq!(picture.shrunk(2, 1, last).pixels, [[50; 3], [10; 3]]);
+        assert_eq!(picture.shrunk(8, 4, mean).pixels.len(), 32, "a larger size repeats pixels");
     }
 
     #[test]

@@ -24,7 +24,7 @@ pub struct RenderArguments {
     /// Declaration file; with several cases, the one to take
     #[arg(long, value_name = "FILE[:Name]")]
     case: String,
-    /// A built-in scene (palm, city) or a glTF 2.0 file
+    /// A built-in scene (palm, city, pavilion, forest) or a glTF 2.0 file
     #[arg(long, value_name = "NAME|FILE")]
     scene: String,
     /// Eye in world space, metres; without it, the scene's first view

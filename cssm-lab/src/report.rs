@@ -21,6 +21,8 @@ pub struct Report {
     pub technique: &'static str,
     /// The configuration that the plan chose.
     pub configuration: &'static str,
+    /// Why it was chosen.
+    pub choice: String,
     /// The scene.
     pub scene: String,
     /// Triangles of the scene, instances counted.
@@ -127,6 +129,7 @@ impl Report {
             case: attempt.case.name.clone(),
             technique: attempt.case.technique.name,
             configuration: plan.configuration,
+            choice: plan.choice.to_string(),
             scene: stage.scene.name.clone(),
             scene_triangles: stage.scene.triangles() as u64,
             view: ViewReport {

@@ -5,13 +5,20 @@
 //! facet works.
 
 mod city;
+mod foliage;
+mod forest;
 mod gltf_file;
+mod gltf_mask;
 mod gltf_read;
+mod mask;
 mod palm;
+mod pavilion;
+mod place;
 mod random;
 mod solid;
 
 pub use gltf_file::SceneFileError;
+pub use mask::AlphaMask;
 
 use std::path::Path;
 
@@ -40,6 +47,8 @@ pub struct Mesh {
     pub positions: Vec<[f32; 3]>,
     /// Three per triangle, counter-clockwise seen from outside.
     pub indices: Vec<u32>,
+    /// Holes; `None` for a mesh without any.
+    pub mask: Option<AlphaMask>,
 }
 
 /// A mesh placed in the world.
@@ -64,8 +73,11 @@ pub struct Viewpoint {
     pub light_travels: DVec3,
 }
 
+/// Names of the scenes that are built in.
+pub const BUILT_IN: [&str; 4] = ["palm", "city", "pavilion", "forest"];
+
 impl Scene {
-    /// The scene of a name (`palm`, `city`), or of a glTF 2.0 file (`.gltf`, `.glb`).
+    /// The scene of a name in [`BUILT_IN`], or of a glTF 2.0 file (`.gltf`, `.glb`).
     ///
     /// # Errors
     /// [`SceneFileError`] when the file cannot be read as a scene.
@@ -73,6 +85,8 @@ impl Scene {
         match name_or_path {
             "palm" => Ok(palm::scene()),
             "city" => Ok(city::scene()),
+            "pavilion" => Ok(pavilion::scene()),
+            "forest" => Ok(forest::scene()),
             path => gltf_file::load(Path::new(path)),
         }
     }
@@ -85,6 +99,21 @@ impl Scene {
     /// A town of a kilometre with window reliefs, trees and thin lamp posts: more than 300,000 triangles.
     pub fn city() -> Self {
         city::scene()
+    }
+
+    /// A garden pavilion with railings of thin bars, among hedges.
+    pub fn pavilion() -> Self {
+        pavilion::scene()
+    }
+
+    /// A square kilometre of hills under thousands of trees, whose leaves are cut out by alpha masks.
+    pub fn forest() -> Self {
+        forest::scene()
+    }
+
+    /// Whether any of its instances has holes.
+    pub fn has_masks(&self) -> bool {
+        self.instances.iter().any(|instance| self.meshes[instance.mesh].mask.is_some())
     }
 
     /// Number of triangles, instances counted.

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use cssm_core::case::Casters;
 use cssm_core::{Light, LightCase, SceneBounds, ShadowPlan, View, plan};
 use cssm_runtime::{FrameStatistics, PreparedFrame};
 
@@ -101,7 +102,8 @@ impl<'a> Stage<'a> {
         Ok(attempt)
     }
 
-    /// Prepares a case with a plan of the caller's own, such as a deliberately wrong one.
+    /// Prepares a case with a plan of the caller's own, such as a deliberately wrong one. On a scene with alpha masks the
+    /// case's casters are alpha-tested, whatever it declares.
     ///
     /// # Errors
     /// Whatever the generator or the device says.
@@ -111,15 +113,21 @@ impl<'a> Stage<'a> {
         plan: ShadowPlan,
         method: ResolveMethod,
     ) -> Result<Attempt<'_>, LabError> {
+        // A scene with alpha masks needs shaders that read them.
+        let mut case = case.clone();
+        if self.scene.meshes.iter().any(|mesh| mesh.mask.is_some()) {
+            case.casters = Casters::AlphaTested;
+        }
+
         let start = Instant::now();
-        let generated = cssm_codegen::generate(case)?;
+        let generated = cssm_codegen::generate(&case)?;
         let generate_milliseconds = start.elapsed().as_secs_f64() * 1e3;
         let mut runner =
-            CaseRunner::new(self.gpu, case, &generated.table, self.scene, &self.buffers, method)?;
+            CaseRunner::new(self.gpu, &case, &generated.table, self.scene, &self.buffers, method)?;
         let prepared = runner.prepare(&plan, &self.view)?;
         Ok(Attempt {
             stage: self,
-            case: case.clone(),
+            case,
             method,
             plan,
             plan_microseconds: 0.0,

@@ -2,8 +2,10 @@
 //!
 //! A primary ray through the pixel's centre finds the visible surface; a second ray from there towards the light
 //! says lit or shadowed. The second ray starts on the surface itself: it skips the triangle it starts on and
-//! anything nearer than the rounding of the coordinates, and nothing else.
+//! anything nearer than the rounding of the coordinates, and nothing else. Both rays pass through the holes of alpha
+//! masks.
 
+mod cutouts;
 mod tracer;
 mod triangle;
 

@@ -55,6 +55,44 @@ fn render_writes_every_result() {
 }
 
 #[test]
+fn contact_sheets_show_every_case_on_every_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("sheet");
+    let mut arguments =
+        vec!["contact-sheet", "--out", out.to_str().unwrap(), "--size", "96x54", "--map", "256x256"];
+    arguments.extend(["--scene", "palm", "--scene", "pavilion"]);
+    let one = run(&arguments.iter().copied().chain(["--case", SUN]).collect::<Vec<_>>());
+    assert!(one.status.success(), "{}", String::from_utf8_lossy(&one.stderr));
+    let size = |file: &Path| {
+        let bytes = std::fs::read(file).unwrap();
+        let side = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
+        (side(16), side(20))
+    };
+    let picture = out.join("contact_sheet.png");
+    let (width, height) = size(&picture);
+    assert!(width > 2 * 800 && height > 180, "{width} x {height}");
+    let text = String::from_utf8(one.stdout).unwrap();
+    assert!(
+        text.contains("Sun on palm: camera_space / face_columns") && text.contains("Sun on pavilion"),
+        "{text}"
+    );
+
+    // Without --case all that ship are shown, each in a row of its own.
+    let all = run(&arguments);
+    assert!(all.status.success(), "{}", String::from_utf8_lossy(&all.stderr));
+    assert!(size(&picture).1 > 3 * height && size(&picture).0 == width);
+    let reports: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(out.join("contact_sheet.json")).unwrap()).unwrap();
+    let reports = reports.as_array().unwrap();
+    assert_eq!(reports.len(), 2 * shaders_gen::shipped::ALL.len());
+    for report in reports {
+        let choice = report["choice"].as_str().unwrap();
+        assert!(choice.contains(report["configuration"].as_str().unwrap()), "{choice}");
+        assert!(report["score"]["mismatch"].as_f64().unwrap() < 0.3, "{report}");
+    }
+}
+
+#[test]
 fn wrong_arguments_say_what_to_write() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
@@ -77,7 +115,13 @@ fn wrong_arguments_say_what_to_write() {
         (case(SUN, &["--light", "point:1,2,3"]), "directional:x,y,z"),
         (case(SUN, &["--size", "big"]), "such as 640x360"),
         (case(SUN, &["--eye", "0,5,0", "--target", "0,0,0"]), "up vector"),
-        (refusal(&["render", "--scene", "forest", "--out", out, "--case", SUN]), "name palm, city"),
+        (
+            refusal(&["render", "--scene", "jungle", "--out", out, "--case", SUN]),
+            "name palm, city, pavilion, forest",
+        ),
+        (refusal(&["contact-sheet", "--scene", "jungle", "--out", out]), "name palm, city, pavilion, forest"),
+        (refusal(&["contact-sheet", "--case", "missing.cssm", "--out", out]), "cannot read missing.cssm"),
+        (refusal(&["contact-sheet", "--map", "32x32", "--out", out]), "give sides of 64 to 16384 texels"),
     ] {
         assert!(text.contains(expected), "expected {expected:?} in {text}");
     }

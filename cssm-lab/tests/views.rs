@@ -29,7 +29,7 @@ fn shows_facet_corner(facets: &[u32]) -> bool {
 fn views_show_shadows_edges_and_a_facet_corner() {
     let text = "pub case Sun { technique: camera_space, distribution: bands(8), prefix: sun }";
     let sun = pick_case(Path::new("sun.cssm"), text, None).unwrap();
-    for scene in [Scene::palm(), Scene::city()] {
+    for scene in [Scene::palm(), Scene::city(), Scene::pavilion(), Scene::forest()] {
         let tracer = Tracer::new(&scene);
         let bounds = SceneBounds { receivers: scene.bounds_world() };
         assert_eq!(scene.views.len(), 3);

@@ -1,14 +1,17 @@
 //! The map: one depth texture for all facets, and the samplers that read it.
 
 use cssm_core::case::DepthFormat;
+use cssm_core::plan::DepthOrder;
 use cssm_core::table::{BindingKind, CaseTable};
+
+use crate::depth_order::ByOrder;
 
 /// The depth texture that facets share.
 #[derive(Debug)]
 pub(crate) struct Atlas {
     pub(crate) texture: wgpu::Texture,
     pub(crate) view: wgpu::TextureView,
-    comparison: wgpu::Sampler,
+    comparison: ByOrder<wgpu::Sampler>,
     gather: wgpu::Sampler,
 }
 
@@ -33,12 +36,18 @@ impl Atlas {
             view_formats: &[],
         });
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let comparison = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("cssm comparison"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            compare: Some(wgpu::CompareFunction::LessEqual),
-            ..Default::default()
+        let comparison = ByOrder::new(table, |order| {
+            let compare = match order {
+                DepthOrder::Standard => wgpu::CompareFunction::LessEqual,
+                DepthOrder::Reversed => wgpu::CompareFunction::GreaterEqual,
+            };
+            device.create_sampler(&wgpu::SamplerDescriptor {
+                label: Some("cssm comparison"),
+                mag_filter: wgpu::FilterMode::Linear,
+                min_filter: wgpu::FilterMode::Linear,
+                compare: Some(compare),
+                ..Default::default()
+            })
         });
         let gather = device
             .create_sampler(&wgpu::SamplerDescriptor { label: Some("cssm gather"), ..Default::default() });
@@ -46,10 +55,10 @@ impl Atlas {
     }
 
     /// What to bind for the map or one of its samplers.
-    pub(crate) fn resource(&self, kind: BindingKind) -> Option<wgpu::BindingResource<'_>> {
+    pub(crate) fn resource(&self, kind: BindingKind, order: DepthOrder) -> Option<wgpu::BindingResource<'_>> {
         match kind {
             BindingKind::Map => Some(wgpu::BindingResource::TextureView(&self.view)),
-            BindingKind::ComparisonSampler => Some(wgpu::BindingResource::Sampler(&self.comparison)),
+            BindingKind::ComparisonSampler => Some(wgpu::BindingResource::Sampler(self.comparison.of(order))),
             BindingKind::GatherSampler => Some(wgpu::BindingResource::Sampler(&self.gather)),
             _ => None,
         }

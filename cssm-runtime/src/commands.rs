@@ -1,16 +1,15 @@
 //! What a capture pass does, as a plain list: built on the CPU, replayed on any encoder.
 //!
-//! [`FrameCommands::build`] needs no device. It subtracts the eye from every transform in f64, asks every facet which
-//! casters' shadows can reach it, and writes the instance rows of each facet behind one another, sorted by pipeline
-//! and mesh, so that one draw covers all instances of a mesh in a facet.
+//! [`FrameCommands::build`] needs no device. It subtracts the eye from every transform and turns it to the axes of the
+//! capture in f64, asks every facet which casters' shadows can reach it, and writes the instance rows of each facet
+//! behind one another, sorted by pipeline and mesh, so that one draw covers all instances of a mesh in a facet.
 
 use std::ops::Range;
 
 use cssm_core::facet::{Facet, Tile};
-use cssm_core::glam::DVec3;
 use cssm_core::{BoundingBox, ShadowPlan};
 
-use crate::cull::{InstanceRows, box_from_eye, eye_from_object};
+use crate::cull::{InstanceRows, box_from_eye, capture_from_object, eye_from_object};
 use crate::error::ServiceError;
 use crate::mesh::{CasterInstance, MeshHandle};
 
@@ -34,7 +33,7 @@ pub enum Command {
     },
     /// Binds a pipeline.
     Pipeline(PipelineHandle),
-    /// Binds a mesh's vertices and indices.
+    /// Binds a mesh's vertices and indices, and its alpha mask if it has one.
     Mesh(MeshHandle),
     /// Draws the bound mesh once for each row of the range.
     Draw {
@@ -119,7 +118,7 @@ impl FrameCommands {
         let mut casters = instances
             .iter()
             .enumerate()
-            .map(|(number, instance)| Caster::new(number, instance, plan.eye_world, &facts))
+            .map(|(number, instance)| Caster::new(number, instance, plan, &facts))
             .collect::<Result<Vec<_>, _>>()?;
         casters.sort_by_key(|caster| (caster.facts.pipeline, caster.mesh));
 
@@ -193,12 +192,13 @@ impl Caster {
     fn new(
         number: usize,
         instance: &CasterInstance,
-        eye_world: DVec3,
+        plan: &ShadowPlan,
         facts: impl Fn(MeshHandle) -> Option<MeshFacts>,
     ) -> Result<Self, ServiceError> {
         let facts = facts(instance.mesh).ok_or(ServiceError::UnknownMesh { instance: number })?;
-        let transform = eye_from_object(&instance.world_from_object, eye_world);
-        let rows = InstanceRows::rounded(&transform).ok_or(ServiceError::Transform { instance: number })?;
+        let transform = eye_from_object(&instance.world_from_object, plan.eye_world);
+        let turned = capture_from_object(&transform, &plan.capture_from_world());
+        let rows = InstanceRows::rounded(&turned).ok_or(ServiceError::Transform { instance: number })?;
         let box_from_eye = box_from_eye(&transform, &facts.bounds_object);
         if !(box_from_eye.min.is_finite() && box_from_eye.max.is_finite()) {
             return Err(ServiceError::Transform { instance: number });

@@ -113,8 +113,8 @@ pub enum ServiceError {
         /// What gives it away.
         why: &'static str,
     },
-    /// The view's eye is not the plan's.
-    #[error("the view's eye is not the plan's; prepare with the view that was planned")]
+    /// The view's eye or rotation is not the plan's.
+    #[error("the view's eye or rotation is not the plan's; prepare with the view that was planned")]
     ForeignView,
     /// The frame was prepared by another service, or before a rebuild, or names a mesh that is gone.
     #[error("the frame is stale: {why}; prepare it again")]

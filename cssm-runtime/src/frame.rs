@@ -7,11 +7,13 @@
 
 use std::sync::Arc;
 
+use cssm_core::plan::DepthOrder;
 use cssm_core::table::{BindingKind, CaseTable, GroupContent, RecordKind, ShaderKind};
 
 use crate::atlas::Atlas;
 use crate::commands::{FrameCommands, FrameStatistics};
 use crate::cull::InstanceRows;
+use crate::depth_order::ByOrder;
 use crate::error::ServiceError;
 use crate::layout::{bind_group, record_bytes, required_group, shadow_group};
 use crate::scope::checked;
@@ -23,6 +25,7 @@ use crate::scope::checked;
 pub struct PreparedFrame {
     pub(crate) service: Arc<()>,
     pub(crate) slot: Arc<Slot>,
+    pub(crate) depth_order: DepthOrder,
     pub(crate) commands: FrameCommands,
     pub(crate) statistics: FrameStatistics,
 }
@@ -38,11 +41,11 @@ impl PreparedFrame {
         &self.commands
     }
 
-    /// The plan, the map and its sampler, for the engine's own pipelines; they take it at the group number that the
+    /// The plan, the map and the sampler for its depth order, for the engine's own pipelines; they take it at the group number that the
     /// case declares, with [`ShadowService::shadow_bind_group_layout`](crate::ShadowService::shadow_bind_group_layout).
     /// `None` where the case declares no resolve interface.
     pub fn shadow_bind_group(&self) -> Option<&wgpu::BindGroup> {
-        self.slot.shadow_group.as_ref()
+        self.slot.shadow_groups.as_ref().map(|groups| groups.of(self.depth_order))
     }
 }
 
@@ -82,7 +85,7 @@ pub(crate) struct Slot {
     pub(crate) uniforms: wgpu::Buffer,
     pub(crate) instances: wgpu::Buffer,
     pub(crate) capture_group: wgpu::BindGroup,
-    pub(crate) shadow_group: Option<wgpu::BindGroup>,
+    pub(crate) shadow_groups: Option<ByOrder<wgpu::BindGroup>>,
 }
 
 /// Slots that come back.
@@ -156,18 +159,21 @@ impl Slot {
                 _ => None,
             })
         })?;
-        let shadow_group = match (shadow_group(table), &layouts.shadow) {
-            (Some(group), Some(layout)) => Some(checked(device, "a shadow bind group", || {
-                bind_group(device, layout, group, |kind| match kind {
-                    BindingKind::Uniform { record, .. } => {
-                        Some(uniform(&uniforms, table, record, layouts.uniforms.shadow_offset))
-                    }
-                    _ => atlas.resource(kind),
-                })
-            })?),
+        let shadow_groups = match (shadow_group(table), &layouts.shadow) {
+            (Some(group), Some(layout)) => {
+                let bind = |order| {
+                    bind_group(device, layout, group, |kind| match kind {
+                        BindingKind::Uniform { record, .. } => {
+                            Some(uniform(&uniforms, table, record, layouts.uniforms.shadow_offset))
+                        }
+                        _ => atlas.resource(kind, order),
+                    })
+                };
+                Some(checked(device, "a shadow bind group", || ByOrder::new(table, bind))?)
+            }
             _ => None,
         };
-        Ok(Self { uniforms, instances, capture_group, shadow_group })
+        Ok(Self { uniforms, instances, capture_group, shadow_groups })
     }
 }
 

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use cssm_core::table::{CaseTable, GroupContent};
+use cssm_core::table::{CaseTable, GroupContent, ShaderKind};
 
 use crate::atlas::Atlas;
-use crate::capture::{CapturePipelines, capture_shader};
+use crate::capture::CapturePipelines;
 use crate::error::ServiceError;
 use crate::frame::{SlotLayouts, SlotPool, UniformLayout};
 use crate::health::HealthProbe;
@@ -47,8 +47,7 @@ impl Gpu {
         }
 
         // Create layouts first: slots and pipelines share them.
-        let shader = capture_shader(device, table, options.clamp_in_fragments)?;
-        let capture_group = required_group(table, shader, GroupContent::CaptureFacet)?;
+        let capture_group = required_group(table, ShaderKind::Capture, GroupContent::CaptureFacet)?;
         let (capture, shadow) = checked(device, "bind group layouts", || {
             let stages = options.material_stages | wgpu::ShaderStages::FRAGMENT;
             let shadow = shadow_group(table).map(|group| group_layout(device, table, group, stages));
@@ -58,7 +57,7 @@ impl Gpu {
         let layouts = SlotLayouts { capture, shadow, uniforms };
 
         let atlas = checked(device, "the map", || Atlas::new(device, table))?;
-        let capture = CapturePipelines::new(device, table, shader, &layouts.capture)?;
+        let capture = CapturePipelines::new(device, table, options.clamp_in_fragments, &layouts.capture)?;
         let mask = MaskPipeline::new(device, table, &layouts, options.mask_format)?;
         let gpu = Self {
             device: device.clone(),

@@ -106,6 +106,8 @@ fn binding_type(table: &CaseTable, kind: BindingKind) -> wgpu::BindingType {
         BindingKind::SceneLinearDepth | BindingKind::SceneNormal => {
             texture(wgpu::TextureSampleType::Float { filterable: false })
         }
+        BindingKind::CasterMask => texture(wgpu::TextureSampleType::Float { filterable: true }),
+        BindingKind::CasterMaskSampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
         BindingKind::ComparisonSampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison),
         BindingKind::GatherSampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::NonFiltering),
     }
@@ -120,6 +122,7 @@ impl Label for GroupContent {
     fn label(self) -> &'static str {
         match self {
             Self::CaptureFacet => "capture facet",
+            Self::CasterMask => "caster mask",
             Self::MaskInput => "mask input",
             Self::Shadow => "shadow",
         }

@@ -48,10 +48,17 @@
 //! * **One pass, one map.** All facets are drawn in one render pass; viewport and scissor confine each to its tile,
 //!   a dynamic offset picks its record. Each facet draws only the casters whose shadows can reach something visible
 //!   in it, one draw for each mesh.
-//! * **Casters stay where they are.** Meshes are ranges of the engine's buffers in the engine's vertex format. The
-//!   eye is subtracted from every transform in f64, so nothing is lost far from the world's origin.
+//! * **Casters stay where they are.** Meshes are ranges of the engine's buffers in the engine's vertex format, alpha
+//!   masks are the engine's own textures. The eye is subtracted from every transform and the axes are turned to the
+//!   camera's in f64, so nothing is lost far from the world's origin or in a narrow field of view.
+//! * **Positions and normals come in the case's axes.** The generated function and the mask take them relative to the
+//!   eye in camera axes (x right, y up, looking along -z): `camera_from_world * (point_world - eye_world)`. Cases
+//!   that declare `axes: world` take them in world axes.
 //! * **Depth in front of a facet is flattened, not clipped.** With [`wgpu::Features::DEPTH_CLIP_CONTROL`] the
-//!   rasteriser does it, otherwise a fragment shader; both draw the same map.
+//!   rasteriser does it, otherwise a fragment shader. Where facets share a tile, [`wgpu::Features::CLIP_DISTANCES`]
+//!   or that fragment shader keeps their casters apart. All ways draw the same map.
+//! * **Plans choose the order of depth.** Reversed plans run with pipelines, clear value and sampler of their own;
+//!   [`PreparedFrame::shadow_bind_group`] holds the right one.
 //! * **Frames do not alias.** Each [`PreparedFrame`] has buffers of its own, which return to a pool once the GPU has
 //!   finished with every encoder that replayed it. Several views may share a submission.
 //! * **Commands are data.** [`FrameCommands`] is a plain list with typed handles, built and tested without a device.
@@ -64,10 +71,12 @@
 //! and does not panic: input that makes no sense is a [`ServiceError`] that says what to change, and what was built
 //! or prepared before stays usable.
 
+mod alpha_mask;
 mod atlas;
 mod capture;
 mod commands;
 mod cull;
+mod depth_order;
 mod error;
 mod frame;
 mod gpu;
@@ -81,6 +90,7 @@ mod scope;
 mod service;
 mod upload;
 
+pub use alpha_mask::AlphaMask;
 pub use commands::{
     Command, FacetHandle, FacetStatistics, FrameCommands, FrameStatistics, MeshFacts, PipelineHandle,
 };

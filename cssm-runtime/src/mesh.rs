@@ -3,6 +3,7 @@
 use cssm_core::BoundingBox;
 use cssm_core::glam::DAffine3;
 
+use crate::alpha_mask::{AlphaMask, BoundMask, check};
 use crate::commands::{MeshFacts, PipelineHandle};
 
 /// A triangle list in the engine's own buffers.
@@ -28,6 +29,8 @@ pub struct MeshDescription<'a> {
     pub indices: Option<IndexDescription<'a>>,
     /// Box around the positions in object space.
     pub bounds_object: BoundingBox,
+    /// Holes; `None`: the triangles are whole.
+    pub mask: Option<AlphaMask<'a>>,
 }
 
 /// Indices of a triangle list.
@@ -91,7 +94,7 @@ pub enum MeshError {
     /// An offset is not aligned.
     #[error("the {what} begin at byte {offset_bytes}, which is no multiple of {alignment}; align them")]
     Alignment {
-        /// Vertices or indices.
+        /// Vertices, indices or texture coordinates.
         what: &'static str,
         /// Where they begin.
         offset_bytes: u64,
@@ -101,7 +104,7 @@ pub enum MeshError {
     /// The buffer ends before the mesh does.
     #[error("the {what} end at byte {end_bytes} of a buffer of {size_bytes} bytes; check offsets and counts")]
     OutOfRange {
-        /// Vertices or indices.
+        /// Vertices, indices or texture coordinates.
         what: &'static str,
         /// Where the mesh ends.
         end_bytes: u64,
@@ -111,7 +114,7 @@ pub enum MeshError {
     /// The buffer may not be used as such.
     #[error("the buffer of {what} lacks the usage {usage:?}; create it with that usage")]
     Usage {
-        /// Vertices or indices.
+        /// Vertices, indices or texture coordinates.
         what: &'static str,
         /// What is needed.
         usage: wgpu::BufferUsages,
@@ -119,6 +122,39 @@ pub enum MeshError {
     /// The bounding box is not finite or inside out.
     #[error("the bounding box of the mesh is not finite or has max < min; give the box around its positions")]
     Bounds,
+    /// The case has no capture shaders that read masks.
+    #[error(
+        "the mesh has an alpha mask, but the case declares opaque casters; declare casters: alpha_tested or leave the mask out"
+    )]
+    MaskNotDeclared,
+    /// The format of texture coordinates has too few components or holds integers.
+    #[error(
+        "texture coordinates of format {0:?} cannot be read as two floats; use a float, normalised or packed format with at least 2 components"
+    )]
+    MaskFormat(wgpu::VertexFormat),
+    /// The stride of texture coordinates is out of range.
+    #[error(
+        "a stride of {stride_bytes} bytes does not work for texture coordinates of format {format:?}; give a multiple of 4 that holds them, up to {limit}"
+    )]
+    MaskStride {
+        /// Distance between texture coordinates.
+        stride_bytes: u32,
+        /// Their format.
+        format: wgpu::VertexFormat,
+        /// The device's largest stride.
+        limit: u32,
+    },
+    /// The cutoff is no alpha.
+    #[error("an alpha cutoff of {0} is not between 0 and 1; give the alpha below which the mesh has holes")]
+    MaskCutoff(f32),
+    /// The texture or the sampler is of another kind.
+    #[error(
+        "the alpha mask cannot be sampled: {reason}; give a filterable two-dimensional texture with alpha and a sampler without comparison"
+    )]
+    MaskTexture {
+        /// What is wrong.
+        reason: String,
+    },
 }
 
 /// A mesh as the service keeps it.
@@ -126,9 +162,20 @@ pub enum MeshError {
 pub(crate) struct Mesh {
     vertices: wgpu::Buffer,
     vertices_range: std::ops::Range<u64>,
-    indices: Option<(wgpu::Buffer, std::ops::Range<u64>, wgpu::IndexFormat)>,
+    indices: Option<BoundIndices>,
+    mask: Option<BoundMask>,
     /// What commands are built from.
     pub(crate) facts: MeshFacts,
+}
+
+/// A description whose buffers and numbers have been found sound.
+#[derive(Debug)]
+pub(crate) struct CheckedMesh {
+    vertices_range: std::ops::Range<u64>,
+    indices: Option<BoundIndices>,
+    corners: u32,
+    /// Where the texture coordinates of the mask lie.
+    pub(crate) uvs_range: Option<std::ops::Range<u64>>,
 }
 
 impl Mesh {
@@ -140,13 +187,37 @@ impl Mesh {
         }
     }
 
-    /// Checks a description against its buffers and the device's limits.
-    pub(crate) fn checked(
+    /// The mesh's alpha mask.
+    pub(crate) fn mask(&self) -> Option<&BoundMask> {
+        self.mask.as_ref()
+    }
+
+    /// A mesh of a checked description.
+    pub(crate) fn new(
         description: &MeshDescription,
-        limits: &wgpu::Limits,
+        checked: CheckedMesh,
+        mask: Option<BoundMask>,
         pipeline: PipelineHandle,
-    ) -> Result<Self, MeshError> {
-        let vertices_range = vertex_range(description, limits)?;
+    ) -> Self {
+        Self {
+            vertices: description.vertices.clone(),
+            vertices_range: checked.vertices_range,
+            indices: checked.indices,
+            mask,
+            facts: MeshFacts {
+                pipeline,
+                corners: checked.corners,
+                indexed: description.indices.is_some(),
+                bounds_object: description.bounds_object,
+            },
+        }
+    }
+}
+
+impl CheckedMesh {
+    /// Checks a description against its buffers and the device.
+    pub(crate) fn new(description: &MeshDescription, device: &wgpu::Device) -> Result<Self, MeshError> {
+        let vertices_range = vertex_range(description, &device.limits())?;
         let indices = description.indices.as_ref().map(index_range).transpose()?;
 
         // Count triangles and check the box.
@@ -162,22 +233,17 @@ impl Mesh {
             return Err(MeshError::Bounds);
         }
 
-        Ok(Self {
-            vertices: description.vertices.clone(),
-            vertices_range,
-            indices,
-            facts: MeshFacts {
-                pipeline,
-                corners,
-                indexed: description.indices.is_some(),
-                bounds_object: bounds,
-            },
-        })
+        let uvs_range = description
+            .mask
+            .as_ref()
+            .map(|mask| check(mask, device, description.vertex_count))
+            .transpose()?;
+        Ok(Self { vertices_range, indices, corners, uvs_range })
     }
 }
 
 /// Whether a vertex fetch yields at least three floats.
-pub(crate) const fn is_position_format(format: wgpu::VertexFormat) -> bool {
+const fn is_position_format(format: wgpu::VertexFormat) -> bool {
     use wgpu::VertexFormat as Format;
     matches!(
         format,
@@ -242,7 +308,8 @@ fn index_range(indices: &IndexDescription) -> Result<BoundIndices, MeshError> {
     Ok((indices.buffer.clone(), indices.offset_bytes..end, indices.format))
 }
 
-fn in_buffer(
+/// Checks that a buffer has a usage and reaches to an end.
+pub(crate) fn in_buffer(
     buffer: &wgpu::Buffer,
     what: &'static str,
     usage: wgpu::BufferUsages,

@@ -9,14 +9,15 @@ use crate::layout::incomplete;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirements {
     /// Optional features of the adapter that the service uses: [`wgpu::Features::DEPTH_CLIP_CONTROL`] saves a fragment
-    /// shader in the capture pass, [`wgpu::Features::TIMESTAMP_QUERY`] times passes. Add the engine's own.
+    /// shader in the capture pass, together with [`wgpu::Features::CLIP_DISTANCES`] where facets share tiles;
+    /// [`wgpu::Features::TIMESTAMP_QUERY`] times passes. Add the engine's own.
     pub features: wgpu::Features,
     /// The lowest limits that suffice. Merge them with the engine's own by
     /// [`wgpu::Limits::or_better_values_from`].
     pub limits: wgpu::Limits,
 }
 
-/// Features the service uses where they are offered.
+/// Features the service uses for every case where they are offered.
 const USEFUL: wgpu::Features = wgpu::Features::DEPTH_CLIP_CONTROL.union(wgpu::Features::TIMESTAMP_QUERY);
 
 /// Features and limits that a case needs, to be requested with the engine's own.
@@ -44,7 +45,9 @@ pub fn features_and_limits(adapter: &wgpu::Adapter, table: &CaseTable) -> Result
         max_bind_groups: lowest.max_bind_groups.max(groups),
         ..lowest
     };
-    Ok(Requirements { features: adapter.features() & USEFUL, limits })
+    let mut useful = USEFUL;
+    useful.set(wgpu::Features::CLIP_DISTANCES, table.clips > 0);
+    Ok(Requirements { features: adapter.features() & useful, limits })
 }
 
 /// Compares a case with the limits of an adapter or a device.
@@ -74,6 +77,7 @@ pub(crate) fn check_records(table: &CaseTable) -> Result<(), ServiceError> {
         let (size, elements) = match field.meaning {
             Meaning::Facets => (facet_bytes, sectors.saturating_mul(bands)),
             Meaning::Borders | Meaning::Distances => (16, sectors),
+            Meaning::Clips => (16, table.clips),
             Meaning::Thresholds => (16, sectors.saturating_mul(bands.saturating_sub(1).div_ceil(4))),
             _ => (field_bytes(field.ty), 0),
         };

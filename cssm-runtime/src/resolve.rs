@@ -3,7 +3,7 @@
 use cssm_core::table::{BindingKind, CaseTable, GroupContent, ShaderKind};
 
 use crate::error::ServiceError;
-use crate::frame::{Slot, SlotLayouts, uniform};
+use crate::frame::{PreparedFrame, Slot, SlotLayouts, uniform};
 use crate::layout::{bind_group, group_layout, incomplete, required_group, shader_module};
 use crate::scope::checked;
 
@@ -12,7 +12,8 @@ use crate::scope::checked;
 pub struct MaskInputs<'a> {
     /// The view's depth: a depth texture for `depth: reversed_z`, a float texture in metres for `depth: linear`.
     pub depth: &'a wgpu::TextureView,
-    /// Unit geometric normals in world axes; only for `normal: texture`.
+    /// Unit geometric normals in the case's axes (camera axes unless it declares `axes: world`); only for
+    /// `normal: texture`.
     pub normal: Option<&'a wgpu::TextureView>,
 }
 
@@ -112,7 +113,7 @@ impl MaskPipeline {
         &self,
         encoder: &mut wgpu::CommandEncoder,
         table: &CaseTable,
-        slot: &Slot,
+        frame: &PreparedFrame,
         inputs: &wgpu::BindGroup,
         target: &wgpu::TextureView,
         timestamps: Option<wgpu::RenderPassTimestampWrites>,
@@ -135,7 +136,7 @@ impl MaskPipeline {
         });
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(input, inputs, &[]);
-        pass.set_bind_group(shadow, slot.shadow_group.as_ref(), &[]);
+        pass.set_bind_group(shadow, frame.shadow_bind_group(), &[]);
         pass.draw(0..3, 0..1);
         Ok(())
     }

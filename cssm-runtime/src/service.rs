@@ -5,12 +5,13 @@ use std::sync::Arc;
 use cssm_core::table::{CaseTable, ShaderKind};
 use cssm_core::{ShadowPlan, View};
 
-use crate::capture::VertexKey;
+use crate::alpha_mask::BoundMask;
+use crate::capture::{Attribute, VertexKey};
 use crate::commands::FrameCommands;
 use crate::error::ServiceError;
 use crate::frame::PreparedFrame;
 use crate::gpu::Gpu;
-use crate::mesh::{CasterInstance, Mesh, MeshDescription, MeshError, MeshHandle, is_position_format};
+use crate::mesh::{CasterInstance, CheckedMesh, Mesh, MeshDescription, MeshError, MeshHandle};
 use crate::read_back;
 use crate::resolve::MaskInputs;
 use crate::scope::checked;
@@ -23,8 +24,9 @@ pub struct Options {
     pub mask_format: wgpu::TextureFormat,
     /// Stages of the engine's own pipelines that call the visibility function.
     pub material_stages: wgpu::ShaderStages,
-    /// Clamps depth in a fragment shader even where the device can leave depth unclipped. Both ways draw equal maps;
-    /// this one exists for devices without [`wgpu::Features::DEPTH_CLIP_CONTROL`] and can be forced for comparisons.
+    /// Clamps depth and cuts casters in a fragment shader even where the device can leave depth unclipped and has clip
+    /// distances. Both ways draw equal maps; this one exists for devices without
+    /// [`wgpu::Features::DEPTH_CLIP_CONTROL`] or [`wgpu::Features::CLIP_DISTANCES`] and can be forced for comparisons.
     pub clamp_in_fragments: bool,
 }
 
@@ -74,25 +76,33 @@ impl ShadowService {
     }
 
     /// Which capture shader runs: [`ShaderKind::Capture`] or, clamping per fragment, [`ShaderKind::CaptureClamped`].
+    /// Casters with an alpha mask run its tested counterpart.
     pub fn capture_shader(&self) -> ShaderKind {
         self.gpu.capture.shader()
     }
 
-    /// Registers a caster mesh. Its buffers stay the engine's; they are kept alive until the mesh is removed.
+    /// Registers a caster mesh. Its buffers and the texture of its mask stay the engine's; they are kept alive until
+    /// the mesh is removed.
     ///
     /// # Errors
     /// A [`MeshError`], or a device that refuses the vertex format.
     pub fn add_mesh(&mut self, description: &MeshDescription) -> Result<MeshHandle, ServiceError> {
-        // Check first, create the pipeline for a new vertex format after.
-        let limits = self.gpu.device.limits();
-        if !is_position_format(description.position_format) {
-            return Err(MeshError::Format(description.position_format).into());
-        }
-        Mesh::checked(description, &limits, Default::default())?;
-        let key = VertexKey { format: description.position_format, stride_bytes: description.stride_bytes };
-        let pipeline = self.gpu.capture.handle(&self.gpu.device, key);
+        // Check first, create the pipeline for a new vertex format and the mask's bind group after.
+        let checked = CheckedMesh::new(description, &self.gpu.device)?;
+        let mask = self.bind_mask(description, &checked)?;
+        let key = VertexKey {
+            positions: Attribute {
+                format: description.position_format,
+                stride_bytes: description.stride_bytes,
+            },
+            uvs: description
+                .mask
+                .as_ref()
+                .map(|mask| Attribute { format: mask.format, stride_bytes: mask.stride_bytes }),
+        };
+        let pipeline = self.gpu.capture.handle(&self.gpu.device, &self.table, key);
         let pipeline = self.gpu.alive(pipeline)?;
-        let mesh = Mesh::checked(description, &limits, pipeline)?;
+        let mesh = Mesh::new(description, checked, mask, pipeline);
 
         // Reuse a free entry.
         let free = self.meshes.iter().position(|entry| entry.mesh.is_none());
@@ -120,7 +130,7 @@ impl ShadowService {
     /// all is a frame too, with everything lit. A failure leaves earlier frames untouched.
     ///
     /// # Errors
-    /// Plans of another case, views of another eye, transforms that are not finite, unknown meshes, a lost device.
+    /// Plans of another case, views of another eye or rotation, transforms that are not finite, unknown meshes, a lost device.
     pub fn prepare(
         &mut self,
         plan: &ShadowPlan,
@@ -139,7 +149,7 @@ impl ShadowService {
         });
         let service = Arc::clone(identity);
         let slot = self.gpu.alive(slot)?;
-        Ok(PreparedFrame { service, slot, commands, statistics })
+        Ok(PreparedFrame { service, slot, depth_order: plan.depth_order, commands, statistics })
     }
 
     /// Records the capture: one render pass into the map, replacing what it held.
@@ -188,7 +198,7 @@ impl ShadowService {
         let not_declared = || ServiceError::NotDeclared { case: self.table.case.to_string(), what: "a mask" };
         let mask = mask.as_ref().ok_or_else(not_declared)?;
         let inputs = self.gpu.alive(mask.bind(device, &self.table, layouts, &frame.slot, inputs))?;
-        mask.replay(encoder, &self.table, &frame.slot, &inputs, target, timestamps)?;
+        mask.replay(encoder, &self.table, frame, &inputs, target, timestamps)?;
         keep_until_done(encoder, frame);
         Ok(())
     }
@@ -242,6 +252,19 @@ impl ShadowService {
             *entry = MeshEntry { generation: entry.generation.wrapping_add(1), mesh: None };
         }
         Ok(())
+    }
+
+    fn bind_mask(
+        &self,
+        description: &MeshDescription,
+        checked: &CheckedMesh,
+    ) -> Result<Option<BoundMask>, ServiceError> {
+        let (Some(mask), Some(range)) = (&description.mask, &checked.uvs_range) else {
+            return Ok(None);
+        };
+        let layout = self.gpu.capture.mask_layout().ok_or(MeshError::MaskNotDeclared)?;
+        let bound = BoundMask::new(&self.gpu.device, &self.table, layout, mask, range.clone());
+        self.gpu.alive(bound).map(Some)
     }
 
     fn mesh(&self, handle: MeshHandle) -> Option<&Mesh> {

@@ -2,6 +2,7 @@
 
 use cssm_core::ShadowPlan;
 use cssm_core::View;
+use cssm_core::plan::DepthOrder;
 use cssm_core::table::{CaseTable, write_capture_record, write_mask_record, write_shadow_record};
 
 use crate::commands::FrameCommands;
@@ -13,6 +14,9 @@ pub(crate) fn check_plan(table: &CaseTable, plan: &ShadowPlan, view: &View) -> R
     let foreign = |why| Err(ServiceError::ForeignPlan { case: table.case.to_string(), why });
     if plan.map_size_texels != (table.map_width, table.map_height) {
         return foreign("its map has another size");
+    }
+    if plan.depth_order == DepthOrder::Reversed && !table.may_reverse_depth {
+        return foreign("it stores depth reversed");
     }
     if plan.facets.iter().any(|facet| facet.index >= table.facets()) {
         return foreign("it has more facets");
@@ -40,12 +44,18 @@ pub(crate) fn check_plan(table: &CaseTable, plan: &ShadowPlan, view: &View) -> R
         if !right || !bottom || tile.width == 0 || tile.height == 0 {
             return foreign("a tile leaves its map");
         }
+        if facet.clip.len() > table.clips as usize {
+            return foreign("a facet cuts casters with more half-spaces");
+        }
         let rows = [facet.rows.x, facet.rows.y, facet.rows.z, facet.rows.w];
-        if rows.iter().any(|row| !row.as_vec4().is_finite()) {
+        if rows.iter().chain(&facet.clip).any(|row| !row.as_vec4().is_finite()) {
             return foreign("a facet's rows are not finite in f32");
         }
     }
-    if view.eye_world != plan.eye_world {
+    if !plan.shear.is_finite() {
+        return foreign("its shear is not finite");
+    }
+    if view.eye_world != plan.eye_world || view.camera_from_world != plan.camera_from_world {
         return Err(ServiceError::ForeignView);
     }
     Ok(())
@@ -67,7 +77,7 @@ pub(crate) fn upload(
         bytes[offset..offset + record.len()].copy_from_slice(&record);
     };
     for (position, facet) in plan.facets.iter().enumerate() {
-        put(position as u64 * layout.facet_stride, write_capture_record(table, facet));
+        put(position as u64 * layout.facet_stride, write_capture_record(table, plan, facet));
     }
     put(layout.shadow_offset, write_shadow_record(table, plan));
     put(layout.mask_offset, write_mask_record(table, view));

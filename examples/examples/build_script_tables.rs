@@ -9,7 +9,7 @@
 use std::error::Error;
 use std::mem::{offset_of, size_of};
 
-use cssm::core::glam::DVec3;
+use cssm::core::glam::{DVec3, Vec4};
 use cssm::core::table::{GroupContent, ShaderKind, write_capture_record, write_shadow_record};
 use cssm::{Light, SceneBounds, View, plan};
 
@@ -33,14 +33,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     let plan = plan(&case, &view, &light, &SceneBounds::default())?;
     println!("configuration {}, {} facets with receivers", plan.configuration, plan.facets.len());
 
-    // Fill the buffers: bytes for the engine's own uploads, or structs where it wants to look inside.
+    // Fill the buffers: bytes for the engine's own uploads, or structs where it wants to look inside. Plans are in world
+    // axes and f64; records are turned to camera axes and rounded once.
     let bytes = write_shadow_record(table, &plan);
     assert_eq!(bytes.len(), size_of::<valley::ValleyShadow>());
     let shadow: valley::ValleyShadow = bytemuck::pod_read_unaligned(&bytes);
     for facet in &plan.facets {
         let uploaded = &shadow.facets[facet.index as usize];
-        assert_eq!(uploaded.row_w, facet.rows.w.as_vec4().to_array());
-        assert_eq!(write_capture_record(table, facet).len(), size_of::<valley::ValleyCapture>());
+        let row_w = plan.camera_from_world * facet.rows.w.truncate();
+        let rounding = Vec4::from_array(uploaded.row_w) - row_w.extend(facet.rows.w.w).as_vec4();
+        assert!(rounding.length() <= 1e-6 * row_w.length() as f32);
+        assert_eq!(write_capture_record(table, &plan, facet).len(), size_of::<valley::ValleyCapture>());
     }
     println!(
         "shadow record: {} bytes, facets from byte {}",

@@ -2,7 +2,8 @@
 //!
 //! The engine concatenates `FUNCTION_WGSL` with its own shader, binds the service's shadow group at the number that
 //! the case declares, and calls `noon_visibility(position, normal)` with a position relative to the eye and the
-//! geometric normal. It keeps its groups, vertex formats and passes.
+//! geometric normal, both in camera axes (x right, y up, looking along -z). It keeps its groups, vertex formats and
+//! passes.
 //!
 //! Run with `cargo run -p cssm-examples --example material_function`.
 
@@ -31,26 +32,28 @@ const ORIGIN: DVec3 = DVec3::new(-7.7e5, 88.0, 1.9e6);
 
 /// The engine's shader; `noon_visibility` comes from the generated module in front of it.
 const MATERIAL: &str = "
-struct EngineCamera { clip_from_eye: mat4x4<f32>, origin_from_eye: vec4<f32>, toward_light: vec4<f32> }
+struct EngineCamera { clip_from_camera: mat4x4<f32>, camera_from_object: mat4x4<f32>, toward_light: vec4<f32> }
 @group(0) @binding(0) var<uniform> camera: EngineCamera;
 
 struct EngineVarying {
     @builtin(position) clip: vec4<f32>,
-    @location(0) position_from_eye: vec3<f32>,
+    @location(0) position: vec3<f32>,
     @location(1) normal: vec3<f32>,
+    @location(2) upwards: f32,
 }
 
 @vertex
 fn engine_vertex(@location(0) position: vec3<f32>, @location(1) normal: vec3<f32>) -> EngineVarying {
-    let from_eye = position + camera.origin_from_eye.xyz;
-    return EngineVarying(camera.clip_from_eye * vec4<f32>(from_eye, 1.0), from_eye, normal);
+    let seen = camera.camera_from_object * vec4<f32>(position, 1.0);
+    let turned = (camera.camera_from_object * vec4<f32>(normal, 0.0)).xyz;
+    return EngineVarying(camera.clip_from_camera * seen, seen.xyz, turned, normal.y);
 }
 
 @fragment
 fn engine_fragment(surface: EngineVarying) -> @location(0) vec4<f32> {
     let cosine = max(dot(surface.normal, camera.toward_light.xyz), 0.0);
-    let sun = cosine * noon_visibility(surface.position_from_eye, surface.normal);
-    let sky = vec3<f32>(0.16, 0.2, 0.27) * (0.7 + 0.3 * surface.normal.y);
+    let sun = cosine * noon_visibility(surface.position, surface.normal);
+    let sky = vec3<f32>(0.16, 0.2, 0.27) * (0.7 + 0.3 * surface.upwards);
     return vec4<f32>(sky + sun * vec3<f32>(0.8, 0.75, 0.62), 1.0);
 }
 ";
@@ -101,6 +104,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         position_format: wgpu::VertexFormat::Float32x3,
         indices: None,
         bounds_object: BoundingBox { min: DVec3::new(-40.0, -1.0, -90.0), max: DVec3::new(40.0, 6.6, 20.0) },
+        mask: None,
     })?;
 
     // Plan and prepare the frame.
@@ -204,7 +208,7 @@ impl Engine {
             cache: None,
         });
 
-        // An infinite reversed-z projection relative to the eye.
+        // An infinite reversed-z projection, and the object's place before the camera: composed in f64, rounded once.
         let (x, y) = (1.0 / view.right, 1.0 / view.top);
         let clip_from_camera = DMat4::from_cols(
             DVec4::new(x, 0.0, 0.0, 0.0),
@@ -212,11 +216,12 @@ impl Engine {
             DVec4::new(0.0, 0.0, 0.0, -1.0),
             DVec4::new(0.0, 0.0, view.near_metres, 0.0),
         );
-        let clip_from_eye = (clip_from_camera * DMat4::from_mat3(view.camera_from_world)).as_mat4();
-        let origin_from_eye = (ORIGIN - view.eye_world).as_vec3().extend(0.0);
-        let mut camera = clip_from_eye.to_cols_array().to_vec();
-        camera.extend(origin_from_eye.to_array());
-        camera.extend(light.as_vec4().to_array());
+        let origin = view.camera_from_world * (ORIGIN - view.eye_world);
+        let camera_from_object = DMat4::from_mat3_translation(view.camera_from_world, origin);
+        let toward_light = (view.camera_from_world * light.truncate()).extend(0.0);
+        let mut camera = clip_from_camera.as_mat4().to_cols_array().to_vec();
+        camera.extend(camera_from_object.as_mat4().to_cols_array());
+        camera.extend(toward_light.as_vec4().to_array());
         let camera = gpu.buffer(&camera, wgpu::BufferUsages::UNIFORM);
         let camera = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,

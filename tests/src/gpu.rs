@@ -4,8 +4,10 @@
 //! drivers use every core for one submission, and error scopes belong to threads.
 
 pub mod casters;
+pub mod checkered;
 pub mod depth_bracket;
 pub mod device;
+pub mod dueling;
 pub mod hand;
 pub mod images;
 pub mod resolve;

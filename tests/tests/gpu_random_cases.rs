@@ -68,7 +68,7 @@ fn planned(case: &LightCase, yard: &Yard, view: &View, sun: usize) -> Option<Sha
 }
 
 fn seen(yard: &Yard) -> Vec<(View, Visible)> {
-    let see = |view: View| (view, Visible::new(&view, &yard.triangles_from_eye(view.eye_world)));
+    let see = |view: View| (view, Visible::new(&view, &yard.triangles_from_eye(&view)));
     views(SIZE).map(see).into()
 }
 

@@ -2,7 +2,8 @@
 
 use cssm_core::View;
 use cssm_core::case::DepthFormat;
-use cssm_core::glam::{DAffine3, DVec3, DVec4};
+use cssm_core::glam::{DAffine3, DMat3, DVec3, DVec4};
+use cssm_core::plan::DepthOrder;
 use cssm_core::table::{CaseTable, ShaderKind};
 use cssm_runtime::{
     CasterInstance, MaskInputs, MeshDescription, MeshError, Options, ServiceError, ShadowService,
@@ -117,7 +118,7 @@ fn plans_and_views_that_do_not_belong() {
     let view = view();
     let good = plan_from_above(&view, 16.0, 40.0, -10.0);
     service.prepare(&good, &view, &[]).unwrap();
-    let changes: [&dyn Fn(&mut cssm_core::ShadowPlan); 9] = [
+    let changes: [&dyn Fn(&mut cssm_core::ShadowPlan); 12] = [
         &|plan| plan.map_size_texels.0 = 65,
         &|plan| plan.facets[0].index = 1,
         &|plan| plan.facets.push(plan.facets[0].clone()),
@@ -127,6 +128,9 @@ fn plans_and_views_that_do_not_belong() {
         &|plan| plan.facets[0].tile.x = u32::MAX,
         &|plan| plan.facets[0].tile.height = 0,
         &|plan| plan.facets[0].rows.z.w = f64::NAN,
+        &|plan| plan.facets[0].clip.push(DVec4::W),
+        &|plan| plan.shear.x = f64::INFINITY,
+        &|plan| plan.depth_order = DepthOrder::Reversed,
     ];
     for (number, change) in changes.iter().enumerate() {
         let mut plan = good.clone();
@@ -136,6 +140,9 @@ fn plans_and_views_that_do_not_belong() {
     }
     let elsewhere = View { eye_world: DVec3::X, ..view };
     assert!(matches!(service.prepare(&good, &elsewhere, &[]), Err(ServiceError::ForeignView)));
+    let camera_from_world = DMat3::from_rotation_z(1e-9) * view.camera_from_world;
+    let turned = View { camera_from_world, ..view };
+    assert!(matches!(service.prepare(&good, &turned, &[]), Err(ServiceError::ForeignView)));
 }
 
 #[test]
@@ -249,6 +256,7 @@ fn a_buffer_of_vertices_may_start_anywhere_in_the_engines_own_buffer() {
         position_format: wgpu::VertexFormat::Float32x3,
         indices: None,
         bounds_object: Geometry::triangle(corners).bounds(),
+        mask: None,
     });
     let view = view();
     let plan = plan_from_above(&view, 16.0, 40.0, -10.0);

@@ -76,3 +76,18 @@ fn a_device_without_optional_features_clamps_in_fragments() {
     let service = ShadowService::new(&gpu.device, &gpu.queue, &table, &Options::default()).unwrap();
     assert_eq!(service.capture_shader(), ShaderKind::CaptureClamped);
 }
+
+#[test]
+fn facets_that_share_tiles_need_both_features() {
+    let case = LightCase::builder("Narrow").configurations(&["four_plane"]).map_size_texels(512, 512);
+    let table = generate(&case.build().unwrap()).unwrap().table;
+    assert!(table.clips > 0);
+    let (unclipped, clips) = (wgpu::Features::DEPTH_CLIP_CONTROL, wgpu::Features::CLIP_DISTANCES);
+    for wanted in [unclipped, clips, unclipped | clips] {
+        let gpu = new_device(wanted);
+        let both = gpu.device.features().contains(unclipped | clips);
+        let expected = if both { ShaderKind::Capture } else { ShaderKind::CaptureClamped };
+        let service = ShadowService::new(&gpu.device, &gpu.queue, &table, &Options::default()).unwrap();
+        assert_eq!(service.capture_shader(), expected, "{wanted:?}");
+    }
+}

@@ -59,10 +59,8 @@ fn every_filter_and_bias_resolves_as_the_twin_does() {
         Bias::WorldTexel { a_metres: 0.02, b_texels: 1.0 },
         Bias::ReceiverPlane,
     ];
-    let seen: Vec<_> = views(SIZE)
-        .iter()
-        .map(|view| (*view, Visible::new(view, &yard.triangles_from_eye(view.eye_world))))
-        .collect();
+    let seen: Vec<_> =
+        views(SIZE).iter().map(|view| (*view, Visible::new(view, &yard.triangles_from_eye(view)))).collect();
     for (number, bias) in biases.into_iter().enumerate() {
         for filter in [Filter::None, Filter::Hardware2x2, Filter::Gather2x2] {
             for (turn, technique) in techniques().into_iter().enumerate() {
@@ -86,7 +84,7 @@ fn reconstructed_normals_resolve_as_true_ones_do() {
     let (gpu, yard) = (exclusive(), Yard::new());
     for depth in [MaskDepth::Linear, MaskDepth::ReversedZ] {
         for (number, view) in views(SIZE).iter().enumerate() {
-            let visible = Visible::new(view, &yard.triangles_from_eye(view.eye_world));
+            let visible = Visible::new(view, &yard.triangles_from_eye(view));
             let technique = Word::plain("camera_space");
             let case =
                 case(technique, Filter::Gather2x2, Bias::ReceiverPlane, depth, MaskNormal::Reconstructed);
@@ -103,7 +101,7 @@ fn reconstructed_normals_resolve_as_true_ones_do() {
 fn wrong_maps_and_biases_are_caught() {
     let (gpu, yard) = (exclusive(), Yard::new());
     let view = &views(SIZE)[0];
-    let visible = Visible::new(view, &yard.triangles_from_eye(view.eye_world));
+    let visible = Visible::new(view, &yard.triangles_from_eye(view));
     let case = case(
         Word::plain("camera_space"),
         Filter::Gather2x2,
@@ -144,7 +142,7 @@ fn culling_removes_nothing_visible() {
         let normal = MaskNormal::Texture;
         let case = case(technique, Filter::None, Bias::ReceiverPlane, MaskDepth::Linear, normal);
         for (number, view) in views(SIZE).iter().enumerate() {
-            let triangles = yard.triangles_from_eye(view.eye_world);
+            let triangles = yard.triangles_from_eye(view);
             let visible = Visible::new(view, &triangles);
             let mut drawn = draw(&gpu, &yard, &case, view, number, &visible);
             drawn.map = cssm_core::twin::capture(&drawn.plan, &triangles);

@@ -3,16 +3,19 @@
 use std::fmt::Write;
 
 use cssm_core::LightCase;
-use cssm_core::case::{Filter, MaskDepth, MaskNormal, Resolve};
-use cssm_core::table::{BindingKind, CaseTable, ConstantValue, FieldType, RecordKind, Resource};
+use cssm_core::case::{Axes, Casters, Filter, MaskDepth, MaskNormal, Resolve};
+use cssm_core::light::LightPosition;
+use cssm_core::table::{BindingKind, CaseTable, ConstantValue, FieldType, RecordKind, Resource, ShaderKind};
 
 use crate::dsl;
+use crate::generate::{CAPTURE_AXES, axes_summary};
 use crate::prelude::{binding_summary, binding_type};
 
 /// The report of a case.
 pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
     let mut out = Out(String::new());
     head(case, table, &mut out);
+    conventions(case, table, &mut out);
     tiles(case, table, &mut out);
     passes(table, &mut out);
     bindings(table, &mut out);
@@ -22,6 +25,9 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
     modules(table, &mut out);
     out.0
 }
+
+/// Width of a column of shader names.
+const WIDTH: usize = 24;
 
 /// Lines of text.
 struct Out(String);
@@ -44,9 +50,57 @@ fn head(case: &LightCase, table: &CaseTable, out: &mut Out) {
     for line in dsl::print(case).lines() {
         out.line(format!("  {line}"));
     }
-    let names: Vec<_> = case.configurations.iter().map(|configuration| configuration.name).collect();
     out.section("configurations");
-    out.line(format!("  {}: {}", case.technique.name, names.join(", ")));
+    out.line(format!("  {}, best first:", case.technique.name));
+    for word in &case.configurations {
+        let choice = case.technique_spec().configuration(word.name).choice;
+        out.line(format!("  {}: {}", choice.name, choice.summary));
+    }
+    choosing(case, out);
+}
+
+/// How a plan picks its configuration, and what happens where the one that is made for the light is not declared.
+fn choosing(case: &LightCase, out: &mut Out) {
+    let spec = case.technique_spec();
+    if case.configurations.len() > 1 {
+        out.line("  each plan takes the one with the smallest predicted p95 footprint; a chooser dwells where two agree");
+    }
+    for position in [LightPosition::General, LightPosition::Border, LightPosition::Dueling] {
+        let serving = |declared: bool| -> Vec<&str> {
+            let serving = spec.configurations.iter().filter(|known| (known.serves)(position));
+            let names = serving.map(|known| known.choice.name);
+            names
+                .filter(|name| case.configurations.iter().any(|word| word.name == *name) == declared)
+                .collect()
+        };
+        let (declared, others) = (serving(true), serving(false));
+        let name = position.name();
+        out.line(match (declared.is_empty(), others.is_empty()) {
+            (false, _) => format!("  light {name}: {}", declared.join(", ")),
+            (true, false) => format!("  light {name}: degraded; {} would serve it", others.join(" or ")),
+            (true, true) => format!("  light {name}: degraded"),
+        });
+    }
+}
+
+fn conventions(case: &LightCase, table: &CaseTable, out: &mut Out) {
+    out.section("conventions");
+    out.line("  positions: relative to the eye, in metres");
+    out.line(format!("  capture: in {}", CAPTURE_AXES));
+    out.line(format!("  resolve: in {}", axes_summary(table.axes)));
+    if table.shears {
+        out.line("  shear: positions are moved along the light before facets see them, where it stands in or near the view");
+    }
+    out.line(match table.may_reverse_depth {
+        true => {
+            "  depth order: 0 or 1 towards the light, chosen by each plan; the shadow record holds the sign"
+        }
+        false => "  depth order: 0 towards the light",
+    });
+    out.line(match case.casters {
+        Casters::Opaque => "  casters: opaque",
+        Casters::AlphaTested => "  casters: opaque, and tested against an alpha mask",
+    });
 }
 
 fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
@@ -58,6 +112,10 @@ fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
     out.line(format!("  map of {width} x {height} texels, {}, {mebibytes:.1} MiB", format.name()));
     let (sectors, bands, facets) = (table.sectors, table.bands, table.facets());
     out.line(format!("  tiles at most: {facets} = sectors {sectors} x bands {bands}"));
+    out.line(match table.clips {
+        0 => "  clips: none, every tile is a rectangle of one facet".to_owned(),
+        clips => format!("  clips: {clips} half-spaces cut the casters of facets that share a tile"),
+    });
     out.line(format!("  gutter texels: {}", case.gutter_texels()));
     match case.technique.arguments.sizes("sizes") {
         Some(sizes) => {
@@ -81,7 +139,7 @@ fn passes(table: &CaseTable, out: &mut Out) {
         let stages =
             pass.fragment.iter().fold(pass.vertex.to_string(), |stages, name| format!("{stages}, {name}"));
         out.line(format!(
-            "  {:<16}{stages}: reads {}; writes {}",
+            "  {:<WIDTH$}{stages}: reads {}; writes {}",
             pass.shader.name(),
             names(&pass.reads),
             names(&pass.writes)
@@ -99,12 +157,12 @@ fn bindings(table: &CaseTable, out: &mut Out) {
                 ty = format!("uniform {name}{}", if dynamic_offset { ", dynamic offset" } else { "" });
             }
             out.line(format!(
-                "  {:<16}group {} binding {}  {}: {ty}. {}",
+                "  {:<WIDTH$}group {} binding {}  {}: {ty}. {}",
                 group.shader.name(),
                 group.group,
                 binding.binding,
                 binding.name,
-                binding_summary(binding.kind)
+                binding_summary(table, binding.kind)
             ));
         }
     }
@@ -155,7 +213,7 @@ fn fetches(case: &LightCase, table: &CaseTable, out: &mut Out) {
     let map = format!("map {} ({how})", table.fetches_per_pixel);
     for interface in &case.resolve {
         match *interface {
-            Resolve::Function { .. } => out.line(format!("  function        {map}")),
+            Resolve::Function { .. } => out.line(format!("  {:<WIDTH$}{map}", ShaderKind::Function.name())),
             Resolve::Mask { depth, normal } => {
                 let depth_name = match depth {
                     MaskDepth::ReversedZ => "reversed-z depth",
@@ -167,7 +225,10 @@ fn fetches(case: &LightCase, table: &CaseTable, out: &mut Out) {
                     (true, MaskNormal::Texture) => (1, 1),
                 };
                 let normals = if normals > 0 { format!(", normal {normals}") } else { String::new() };
-                out.line(format!("  mask            {map}, {depth_name} {depths}{normals}"));
+                out.line(format!(
+                    "  {:<WIDTH$}{map}, {depth_name} {depths}{normals}",
+                    ShaderKind::Mask.name()
+                ));
             }
         }
     }
@@ -183,6 +244,10 @@ fn modules(table: &CaseTable, out: &mut Out) {
             0 => "no entry point, no SPIR-V".to_owned(),
             words => format!("{words} SPIR-V words"),
         };
-        out.line(format!("  {:<16}{} WGSL lines, {words}", shader.kind.name(), shader.wgsl.lines().count()));
+        out.line(format!(
+            "  {:<WIDTH$}{} WGSL lines, {words}",
+            shader.kind.name(),
+            shader.wgsl.lines().count()
+        ));
     }
 }

@@ -23,6 +23,10 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
         configurations: case.configurations.iter().map(|word| word.name).collect(),
         filter: case.filter.name(),
         bias: case.bias.name(),
+        casters: case.casters.name(),
+        axes: table.axes.name(),
+        shears: table.shears,
+        may_reverse_depth: table.may_reverse_depth,
         map: JsonMap {
             width: table.map_width,
             height: table.map_height,
@@ -30,7 +34,12 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
             columns: case.map.columns,
             gutter: case.gutter_texels(),
         },
-        facets: JsonFacets { sectors: table.sectors, bands: table.bands, count: table.facets() },
+        facets: JsonFacets {
+            sectors: table.sectors,
+            bands: table.bands,
+            count: table.facets(),
+            clips: table.clips,
+        },
         fetches_per_pixel: table.fetches_per_pixel,
         constants: table.constants.iter().map(JsonConstant::of).collect(),
         records: table.records.iter().map(|record| JsonRecord::of(record, table)).collect(),
@@ -52,6 +61,10 @@ struct JsonCase<'a> {
     configurations: Vec<&'a str>,
     filter: &'a str,
     bias: &'a str,
+    casters: &'a str,
+    axes: &'a str,
+    shears: bool,
+    may_reverse_depth: bool,
     map: JsonMap<'a>,
     facets: JsonFacets,
     fetches_per_pixel: u32,
@@ -78,6 +91,8 @@ struct JsonFacets {
     sectors: u32,
     bands: u32,
     count: u32,
+    /// Half-spaces that the capture cuts casters with.
+    clips: u32,
 }
 
 #[derive(Serialize)]
@@ -178,6 +193,7 @@ impl<'a> JsonGroup<'a> {
     fn of(group: &'a BindGroup, table: &'a CaseTable) -> Self {
         let content = match group.content {
             GroupContent::CaptureFacet => "capture_facet",
+            GroupContent::CasterMask => "caster_mask",
             GroupContent::MaskInput => "mask_input",
             GroupContent::Shadow => "shadow",
         };
@@ -200,6 +216,8 @@ impl<'a> JsonBinding<'a> {
             BindingKind::SceneDepth => "scene_depth",
             BindingKind::SceneLinearDepth => "scene_linear_depth",
             BindingKind::SceneNormal => "scene_normal",
+            BindingKind::CasterMask => "caster_mask",
+            BindingKind::CasterMaskSampler => "caster_mask_sampler",
             BindingKind::ComparisonSampler => "comparison_sampler",
             BindingKind::GatherSampler => "gather_sampler",
         };

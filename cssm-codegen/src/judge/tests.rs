@@ -69,3 +69,27 @@ fn a_changed_record_is_caught() {
     let grown = verdict("facets: array<SunFacet, 32>", "facets: array<SunFacet, 33>");
     assert!(matches!(grown, Err(JudgeError::Table(_))), "{grown:?}");
 }
+
+#[test]
+fn clip_distances_are_refused_where_the_table_has_no_clips() {
+    let case = LightCase::builder("Sun").build().unwrap();
+    let table = crate::generate(&case).unwrap().table;
+    let text = table.shader(ShaderKind::Capture).unwrap().wgsl.to_string();
+    assert!(judge(&text, &table, ShaderKind::Capture).is_ok());
+    let head = "fn sun_capture_vertex(vertex: SunCasterVertex) -> @builtin(position) vec4<f32> {";
+    assert!(text.contains(head));
+    let cut = "struct Cut { @builtin(position) p: vec4<f32>, @builtin(clip_distances) c: array<f32, 2> }\n";
+    let wrong = format!(
+        "enable clip_distances;\n{}{cut}",
+        text.replace(head, &head.replace("@builtin(position) vec4<f32>", "Cut")).replace(
+            "return sun_tile_position(sun_camera_position(vertex));",
+            "return Cut(sun_tile_position(sun_camera_position(vertex)), array<f32, 2>(1.0, 1.0));"
+        )
+    );
+    let refused = judge(&wrong, &table, ShaderKind::Capture);
+    assert!(matches!(refused, Err(JudgeError::Parse(_) | JudgeError::Validate(_))), "{refused:?}");
+
+    // Where the table has clips, the same text passes.
+    let clipped = CaseTable { clips: 2, ..table };
+    assert!(judge(&wrong, &clipped, ShaderKind::Capture).is_ok());
+}

@@ -1,21 +1,53 @@
 //! The library's own rules: every file is valid, is used, and reads well.
 
 use std::collections::BTreeSet;
+use std::process::Command;
 
 use cssm_core::LightCase;
-use cssm_core::case::{Bias, Filter, MaskDepth, MaskNormal, Resolve};
+use cssm_core::case::{Bias, Casters, Filter, MaskDepth, MaskNormal, Resolve};
 use cssm_core::schema::Word;
 use cssm_core::table::{CaseTable, ShaderKind};
 
 use super::{LIBRARY, pick};
 use crate::compose::Prefix;
-use crate::{judge, prelude, wgsl};
+use crate::{generate, judge, prelude, wgsl};
 
-const SHADERS: [ShaderKind; 4] =
-    [ShaderKind::Capture, ShaderKind::CaptureClamped, ShaderKind::Mask, ShaderKind::Function];
+const SHADERS: [ShaderKind; 6] = [
+    ShaderKind::Capture,
+    ShaderKind::CaptureClamped,
+    ShaderKind::CaptureTested,
+    ShaderKind::CaptureTestedClamped,
+    ShaderKind::Mask,
+    ShaderKind::Function,
+];
+
+/// A case and its table.
+struct Variant {
+    case: LightCase,
+    table: CaseTable,
+}
+
+impl Variant {
+    fn of(case: LightCase) -> Self {
+        Self { table: CaseTable::describe(&case), case }
+    }
+}
 
 /// Cases that together take every alternative of every slot.
-fn cases() -> Vec<LightCase> {
+fn variants() -> Vec<Variant> {
+    let mut variants: Vec<_> = resolve_cases().into_iter().map(Variant::of).collect();
+    variants.extend(["face_columns", "four_plane"].map(tested));
+    variants
+}
+
+/// A tested case with one configuration.
+fn tested(configuration: &'static str) -> Variant {
+    let case = LightCase::builder("Sun").casters(Casters::AlphaTested);
+    Variant::of(case.configurations(&[configuration]).build().unwrap())
+}
+
+/// Cases that together take every alternative of the slots of resolving.
+fn resolve_cases() -> Vec<LightCase> {
     let biases = [
         Bias::None,
         Bias::Constant { along_light_metres: 0.05 },
@@ -48,19 +80,32 @@ fn cases() -> Vec<LightCase> {
     cases.into_iter().collect::<Result<_, _>>().unwrap()
 }
 
+/// The shaders of a variant.
+fn shaders(variant: &Variant) -> impl Iterator<Item = ShaderKind> {
+    let table = &variant.table;
+    SHADERS.into_iter().filter(|shader| table.groups.iter().any(|group| group.shader == *shader))
+}
+
 /// The picked files of a case as they stand, whole, under the library's own names.
-fn whole_files(case: &LightCase, shader: ShaderKind) -> String {
-    let prelude = prelude::prelude(&CaseTable::describe(case), shader, &Prefix::new(&case.prefix));
-    let (files, _) = pick(case, shader);
-    prelude + &files.iter().map(|file| file.source).collect::<Vec<_>>().join("\n")
+fn whole_files(variant: &Variant, shader: ShaderKind) -> String {
+    let Variant { case, table } = variant;
+    let prelude = prelude::prelude(table, shader, &Prefix::new(&case.prefix));
+    let (files, _) = pick(case, table, shader);
+    let files = files.iter().map(|file| file.source).collect::<Vec<_>>().join("\n");
+    format!("{}{prelude}{files}", prelude::directives(table, shader))
+}
+
+/// What naga makes of them.
+fn validated(variant: &Variant, shader: ShaderKind) -> Result<judge::Judged, judge::JudgeError> {
+    judge::validate(&whole_files(variant, shader), judge::capabilities(&variant.table, shader))
 }
 
 #[test]
 fn every_file_is_picked_by_some_case() {
     let mut picked = BTreeSet::new();
-    for case in cases() {
-        for shader in SHADERS {
-            picked.extend(pick(&case, shader).0.into_iter().map(|file| file.name));
+    for variant in variants() {
+        for shader in shaders(&variant) {
+            picked.extend(pick(&variant.case, &variant.table, shader).0.into_iter().map(|file| file.name));
         }
     }
     let missing: Vec<_> = LIBRARY.iter().filter(|file| !picked.contains(file.name)).collect();
@@ -82,21 +127,74 @@ fn every_file_is_on_the_list() {
 
 #[test]
 fn whole_files_are_valid_as_they_stand() {
-    for case in cases() {
-        for shader in SHADERS {
-            let text = whole_files(&case, shader);
-            if let Err(error) = judge::validate(&text) {
-                panic!("{}, {}: {error}", shader.name(), case.bias.name());
+    for variant in variants() {
+        for shader in shaders(&variant) {
+            if let Err(error) = validated(&variant, shader) {
+                panic!("{}, {}: {error}", shader.name(), variant.case.bias.name());
             }
         }
     }
 }
 
 #[test]
+fn facets_that_share_tiles_are_cut_by_the_pipeline_or_by_the_fragment() {
+    let table = generate::table_with_shaders(&tested("four_plane").case).unwrap();
+    assert_eq!(table.clips, 2);
+    for (shader, pipeline) in [
+        (ShaderKind::Capture, true),
+        (ShaderKind::CaptureTested, true),
+        (ShaderKind::CaptureClamped, false),
+        (ShaderKind::CaptureTestedClamped, false),
+    ] {
+        let shader = table.shader(shader).unwrap();
+        let (text, name) = (&shader.wgsl, shader.kind.name());
+        assert_eq!(text.lines().any(|line| line == "enable clip_distances;"), pipeline, "{name}");
+        assert_eq!(text.contains("@builtin(clip_distances)"), pipeline, "{name}");
+        assert_eq!(text.contains("frag_depth"), !pipeline, "{name}");
+        assert_eq!(text.contains("sun_is_cut(caster.clips)"), !pipeline, "{name}");
+        assert_eq!(has_capability(&shader.spirv, CLIP_DISTANCE), pipeline, "{name}");
+    }
+    for shader in table.shaders.iter().filter(|shader| !shader.kind.name().starts_with("capture")) {
+        assert!(!shader.wgsl.contains("clip_distances") && !shader.wgsl.contains("clips"));
+    }
+}
+
+/// Number of the capability `ClipDistance` in SPIR-V.
+const CLIP_DISTANCE: u32 = 32;
+
+/// Whether a module declares a capability: an instruction of two words, the first of them 0x20011.
+fn has_capability(spirv: &[u8], capability: u32) -> bool {
+    let words: Vec<_> =
+        spirv.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
+    let instructions = words[5..].chunks_exact(2).take_while(|pair| pair[0] == 0x0002_0011);
+    instructions.into_iter().any(|pair| pair[1] == capability)
+}
+
+#[test]
+fn spirv_val_accepts_every_capture() {
+    if Command::new("spirv-val").arg("--version").output().is_err() {
+        eprintln!("SKIPPED: spirv-val is not installed; install Debian's spirv-tools");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    for configuration in ["face_columns", "four_plane"] {
+        let table = generate::table_with_shaders(&tested(configuration).case).unwrap();
+        for shader in table.shaders.iter().filter(|shader| !shader.spirv.is_empty()) {
+            let path = folder.path().join("module.spv");
+            std::fs::write(&path, &shader.spirv).unwrap();
+            let output = Command::new("spirv-val").args(["--target-env", "vulkan1.1"]).arg(&path).output();
+            let output = output.unwrap();
+            let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(output.status.success(), "{}: {complaint}", shader.kind.name());
+        }
+    }
+}
+
+#[test]
 fn no_name_ends_in_a_digit_and_no_local_name_hides_a_declaration() {
-    for case in cases() {
-        for shader in SHADERS {
-            let judged = judge::validate(&whole_files(&case, shader)).unwrap();
+    for variant in variants() {
+        for shader in shaders(&variant) {
+            let judged = validated(&variant, shader).unwrap();
             let (declared, local) = names(&judged.module);
             for name in declared.union(&local) {
                 assert!(!name.ends_with(|last: char| last.is_ascii_digit()), "`{name}` ends in a digit");
@@ -131,9 +229,9 @@ fn names(module: &naga::Module) -> (BTreeSet<String>, BTreeSet<String>) {
 
 #[test]
 fn no_branch_depends_on_constants_alone() {
-    for case in cases() {
-        for shader in SHADERS {
-            let judged = judge::validate(&whole_files(&case, shader)).unwrap();
+    for variant in variants() {
+        for shader in shaders(&variant) {
+            let judged = validated(&variant, shader).unwrap();
             let functions = judged.module.functions.iter().map(|(_, function)| function);
             for function in functions.chain(judged.module.entry_points.iter().map(|entry| &entry.function)) {
                 assert!(!branches_on_constant(&function.body, function), "{:?}", function.name);
@@ -145,7 +243,7 @@ fn no_branch_depends_on_constants_alone() {
 #[test]
 fn the_branch_lint_finds_a_branch_on_a_constant() {
     let text = "const ON: bool = true;\nfn f(x: f32) -> f32 { if ON { return x; } return 2.0 * x; }";
-    let judged = judge::validate(text).unwrap();
+    let judged = judge::validate(text, naga::valid::Capabilities::empty()).unwrap();
     let (_, function) = judged.module.functions.iter().next().unwrap();
     assert!(branches_on_constant(&function.body, function));
 }

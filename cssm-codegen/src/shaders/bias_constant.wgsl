@@ -3,5 +3,5 @@
 /// The receiver, moved towards the light by `BIAS_METRES`.
 fn biased_receiver(facet: Facet, place: Place) -> Receiver {
     let lowered = place.ndc.z - BIAS_METRES * facet.depth_per_metre / place.w;
-    return Receiver(place.texel, clamp(lowered, 0.0, 1.0));
+    return Receiver(place.texel, held_depth(lowered));
 }

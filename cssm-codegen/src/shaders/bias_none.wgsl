@@ -2,5 +2,5 @@
 
 /// The receiver as it is.
 fn biased_receiver(place: Place) -> Receiver {
-    return Receiver(place.texel, clamp(place.ndc.z, 0.0, 1.0));
+    return Receiver(place.texel, held_depth(place.ndc.z));
 }

@@ -11,5 +11,5 @@ fn biased_receiver(facet: Facet, place: Place, normal: vec3<f32>) -> Receiver {
     let cosine = clamp(dot(normal, shadow.toward_light.xyz), SMALLEST_COSINE, 1.0);
     let tangent = sqrt(1.0 - cosine * cosine) / cosine;
     let lowered = place.ndc.z - BIAS_TEXELS * facet.texel_metres_per_w * facet.depth_per_metre * tangent;
-    return Receiver(place.texel, clamp(lowered, 0.0, 1.0));
+    return Receiver(place.texel, held_depth(lowered));
 }

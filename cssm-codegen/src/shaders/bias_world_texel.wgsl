@@ -7,5 +7,5 @@
 fn biased_receiver(facet: Facet, place: Place) -> Receiver {
     let constant_part = BIAS_A_METRES * facet.depth_per_metre / place.w;
     let texel_part = BIAS_B_TEXELS * facet.texel_metres_per_w * facet.depth_per_metre;
-    return Receiver(place.texel, clamp(place.ndc.z - constant_part - texel_part, 0.0, 1.0));
+    return Receiver(place.texel, held_depth(place.ndc.z - constant_part - texel_part));
 }

@@ -7,7 +7,7 @@ fn filtered_visibility(receiver: Receiver) -> f32 {
     let stored = textureGather(map, map_sampler, corner / MAP_SIZE);
 
     // Compare, then blend; a gather begins at the lower left and runs against the clock.
-    let lit = select(vec4<f32>(0.0), vec4<f32>(1.0), vec4<f32>(receiver.reference) <= stored);
+    let lit = lit_by_four(vec4<f32>(receiver.reference), stored);
     let weight = receiver.texel + 0.5 - corner;
     return mix(mix(lit.w, lit.z, weight.x), mix(lit.x, lit.y, weight.x), weight.y);
 }

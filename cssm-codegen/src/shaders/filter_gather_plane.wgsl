@@ -17,7 +17,7 @@ fn filtered_visibility(receiver: Receiver) -> f32 {
     );
 
     // Compare, then blend.
-    let lit = select(vec4<f32>(0.0), vec4<f32>(1.0), references <= stored);
+    let lit = lit_by_four(references, stored);
     let weight = vec2<f32>(0.5) - offset;
     return mix(mix(lit.w, lit.z, weight.x), mix(lit.x, lit.y, weight.x), weight.y);
 }

@@ -2,5 +2,5 @@
 
 /// Share of light that reaches the receiver.
 fn filtered_visibility(receiver: Receiver) -> f32 {
-    return textureSampleCompareLevel(map, map_sampler, receiver.texel / MAP_SIZE, receiver.reference);
+    return lit_by_sampler(receiver.texel, receiver.reference);
 }

@@ -3,5 +3,5 @@
 /// Share of light that reaches the receiver: all or none.
 fn filtered_visibility(receiver: Receiver) -> f32 {
     let stored = textureLoad(map, vec2<i32>(receiver.texel), 0);
-    return select(0.0, 1.0, receiver.reference <= stored);
+    return lit_by(receiver.reference, stored);
 }

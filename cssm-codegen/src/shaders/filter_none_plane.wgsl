@@ -5,5 +5,5 @@ fn filtered_visibility(receiver: Receiver) -> f32 {
     let nearest = floor(receiver.texel);
     let stored = textureLoad(map, vec2<i32>(nearest), 0);
     let reference = plane_reference(receiver, nearest + 0.5 - receiver.texel);
-    return select(0.0, 1.0, reference <= stored);
+    return lit_by(reference, stored);
 }

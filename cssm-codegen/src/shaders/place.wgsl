@@ -1,8 +1,8 @@
-// From a point of the world to its place in a facet's tile.
+// From a point in the case's axes to its place in a facet's tile.
 
 /// Where a receiver falls in its facet.
 struct Place {
-    /// Clip space of the tile after division: x and y in [-1, 1], z from 0 towards the light to 1.
+    /// Clip space of the tile after division: x and y in [-1, 1], z growing away from the light.
     ndc: vec3<f32>,
     /// What was divided by.
     w: f32,

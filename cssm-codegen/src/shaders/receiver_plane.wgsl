@@ -12,5 +12,5 @@ struct Receiver {
 
 /// Depth of the receiver's plane at an offset in texels, within the depths that the map can hold.
 fn plane_reference(receiver: Receiver, offset: vec2<f32>) -> f32 {
-    return clamp(receiver.reference + dot(receiver.gradient, offset), 0.0, 1.0);
+    return held_depth(receiver.reference + dot(receiver.gradient, offset));
 }

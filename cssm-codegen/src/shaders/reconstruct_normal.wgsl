@@ -20,7 +20,7 @@ fn inverse_depth_slope(pixel: vec2<i32>, axis: vec2<i32>, centre: f32) -> f32 {
     return select(ahead_near - centre, centre - behind_near, behind_is_better);
 }
 
-/// Unit normal of the surface behind a pixel, in world axes, on the side that faces the eye.
+/// Unit normal of the surface behind a pixel, in the case's axes, on the side that faces the eye.
 fn reconstructed_normal(pixel: vec2<i32>, ray: vec3<f32>, inverse_depth: f32) -> vec3<f32> {
     // Measure how one over depth changes across the whole image and down it.
     let size = vec2<f32>(textureDimensions(scene_depth));

@@ -2,11 +2,12 @@
 
 /// Share of the light that reaches a receiver: 1 in the light and outside the map, 0 in shadow.
 ///
-/// `position` is relative to the eye, in world axes and metres. The function takes no derivatives, so any control
+/// `position` is relative to the eye, in the case's axes and metres. The function takes no derivatives, so any control
 /// flow may call it.
 fn visibility(position: vec3<f32>) -> f32 {
-    let facet = shadow.facets[facet_index(position)];
-    let place = place_in_facet(facet, position);
+    let point = facet_position(position);
+    let facet = shadow.facets[facet_index(point)];
+    let place = place_in_facet(facet, point);
     if !place.covered {
         return 1.0;
     }

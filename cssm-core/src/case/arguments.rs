@@ -1,7 +1,8 @@
 //! Between a light case and the arguments of its declaration, both ways.
 
 use super::{
-    Bias, DepthFormat, FarKind, Filter, LightCase, LightKind, MapSpec, MaskDepth, MaskNormal, Resolve,
+    Axes, Bias, Casters, DepthFormat, FarKind, Filter, LightCase, LightKind, MapSpec, MaskDepth, MaskNormal,
+    Resolve,
 };
 use crate::schema::{Arguments, Value, Word};
 
@@ -34,6 +35,8 @@ impl LightCase {
             ("map", Some(Value::Group(map))),
             ("filter", Some(Value::Word(Word::plain(self.filter.name())))),
             ("bias", Some(Value::Word(self.bias.word()))),
+            ("casters", Some(Value::Word(Word::plain(self.casters.name())))),
+            ("axes", Some(Value::Word(Word::plain(self.axes.name())))),
             ("resolve", Some(Value::Words(self.resolve.iter().map(Resolve::word).collect()))),
             ("prefix", Some(Value::Name(self.prefix.clone()))),
         ];
@@ -64,6 +67,24 @@ impl Filter {
             Some("none") => Self::None,
             Some("hardware_2x2") => Self::Hardware2x2,
             _ => Self::Gather2x2,
+        }
+    }
+}
+
+impl Casters {
+    pub(super) fn of_word(word: Option<&Word>) -> Self {
+        match word.map(|word| word.name) {
+            Some("alpha_tested") => Self::AlphaTested,
+            _ => Self::Opaque,
+        }
+    }
+}
+
+impl Axes {
+    pub(super) fn of_word(word: Option<&Word>) -> Self {
+        match word.map(|word| word.name) {
+            Some("world") => Self::World,
+            _ => Self::Camera,
         }
     }
 }

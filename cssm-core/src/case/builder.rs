@@ -1,6 +1,6 @@
 //! The Rust door to a light case.
 
-use super::{Bias, CaseError, DepthFormat, FarKind, Filter, LightCase, Resolve};
+use super::{Axes, Bias, CaseError, Casters, DepthFormat, FarKind, Filter, LightCase, Resolve};
 use crate::schema::{Arguments, Value, Word};
 
 /// A declaration in Rust; every field has the default of the text grammar.
@@ -51,10 +51,19 @@ impl LightCaseBuilder {
         self.set("technique", Value::Word(technique))
     }
 
-    /// Configurations that may occur, best first.
+    /// Configurations that may occur, best first; their parameters take their defaults.
     pub fn configurations(self, names: &[&'static str]) -> Self {
-        let words = names.iter().map(|name| Word::plain(name)).collect();
+        self.configuration_words(names.iter().map(|name| Word::plain(name)).collect())
+    }
+
+    /// Configurations that may occur with parameters, best first.
+    pub fn configuration_words(self, words: Vec<Word>) -> Self {
         self.set("configurations", Value::Words(words))
+    }
+
+    /// How rows are spent over depth, such as `Word::plain("perspective")`; parameters left out take their defaults.
+    pub fn distribution(self, distribution: Word) -> Self {
+        self.set("distribution", Value::Word(distribution))
     }
 
     /// Distribution `bands(count)`, with the declared horizon for infinite far planes.
@@ -91,6 +100,16 @@ impl LightCaseBuilder {
     /// How bias is found.
     pub fn bias(self, bias: Bias) -> Self {
         self.set("bias", Value::Word(bias.word()))
+    }
+
+    /// What the engine's casters are.
+    pub fn casters(self, casters: Casters) -> Self {
+        self.set("casters", Value::Word(Word::plain(casters.name())))
+    }
+
+    /// Axes in which the resolve shaders take positions and normals.
+    pub fn axes(self, axes: Axes) -> Self {
+        self.set("axes", Value::Word(Word::plain(axes.name())))
     }
 
     /// Interfaces that the shaders offer.

@@ -1,7 +1,10 @@
 //! From arguments to a light case: the schema's checks, defaults, contradictions.
 
 use super::names::{default_prefix, is_camel_case, is_prefix, upper_camel};
-use super::{Bias, CaseError, FIELDS, FarKind, Filter, LightCase, LightKind, MapSpec, MaskNormal, Resolve};
+use super::{
+    Axes, Bias, CaseError, Casters, FIELDS, FarKind, Filter, LightCase, LightKind, MapSpec, MaskNormal,
+    Resolve,
+};
 use crate::schema::{self, Arguments, Choice, Field, Kind, Value, Word};
 use crate::technique;
 
@@ -35,7 +38,8 @@ pub(super) fn from_arguments(
 /// Other fields that a contradiction at a field involves.
 pub(super) fn related(field: &str) -> &'static [&'static str] {
     match field {
-        "configurations" | "distribution" => &["technique"],
+        "configurations" => &["technique"],
+        "distribution" => &["technique", "configurations"],
         "technique" => &["view", "shadow_distance", "bounds"],
         "map.gutter" => &["filter"],
         "resolve.mask.normal" => &["bias"],
@@ -69,9 +73,9 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
     let spec = technique::spec(technique.name);
     let mut configurations = arguments.words("configurations").to_vec();
     for word in &configurations {
-        if Choice::find(spec.configurations, word.name).is_none() {
+        if spec.configurations.iter().all(|known| known.choice.name != word.name) {
             let names: Vec<_> =
-                spec.configurations.iter().map(|choice| format!("`{}`", choice.name)).collect();
+                spec.configurations.iter().map(|known| format!("`{}`", known.choice.name)).collect();
             errors.push(error(
                 "configurations",
                 format!("technique `{}` has no configuration `{}`", technique.name, word.name),
@@ -80,14 +84,15 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
         }
     }
     if configurations.is_empty() {
-        configurations.extend(spec.configurations.first().map(|choice| Word::plain(choice.name)));
+        configurations.extend(spec.configurations.first().map(|first| first.choice.word()));
     }
-    let distribution = match (arguments.word("distribution"), spec.distribution) {
+    let takes_distribution = |word: &Word| spec.configuration(word.name).takes_distribution;
+    let default = spec.distribution.filter(|_| configurations.iter().any(takes_distribution));
+    let distribution = match (arguments.word("distribution"), default) {
         (Some(word), None) => {
-            let message = format!(
-                "technique `{}` has no distribution, but `{}` is declared",
-                technique.name, word.name
-            );
+            let declared: Vec<_> = configurations.iter().map(|word| format!("`{}`", word.name)).collect();
+            let message =
+                format!("`{}` is declared, but {} takes no distribution", word.name, declared.join(", "));
             errors.push(error("distribution", message, "leave `distribution` out"));
             None
         }
@@ -110,6 +115,8 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
         map: MapSpec::of_group(arguments.group("map")),
         filter: Filter::of_word(arguments.word("filter")),
         bias: Bias::of_word(arguments.word("bias")),
+        casters: Casters::of_word(arguments.word("casters")),
+        axes: Axes::of_word(arguments.word("axes")),
         resolve: arguments.words("resolve").iter().map(Resolve::of_word).collect(),
         prefix,
     };

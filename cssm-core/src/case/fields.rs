@@ -1,5 +1,6 @@
 //! The schema of a light case: every field with its default.
 
+use crate::distribution;
 use crate::schema::{Choice, Default, Field, Kind, Unit};
 use crate::technique;
 
@@ -26,7 +27,7 @@ const MASK: &[Field] = &[
         summary: "where the geometric normal comes from; a texture needs a bias that reads normals",
         kind: Kind::Choice(&[
             Choice::plain("reconstructed", "from neighbouring depths"),
-            Choice::plain("texture", "world-axes unit normals in a float texture"),
+            Choice::plain("texture", "unit normals in the case's axes in a float texture"),
         ]),
         default: Default::Value("reconstructed"),
     },
@@ -85,25 +86,8 @@ pub const FIELDS: &[Field] = &[
     Field {
         name: "distribution",
         summary: "how map rows are spent over depth",
-        kind: Kind::Choice(&[Choice {
-            name: "bands",
-            summary: "bands of equal depth ratio, each affine in 1/depth",
-            arguments: &[
-                Field {
-                    name: "count",
-                    summary: "number of bands",
-                    kind: Kind::Count { min: 1, max: 16 },
-                    default: Default::Value("8"),
-                },
-                Field {
-                    name: "horizon",
-                    summary: "depth up to which bands have equal ratios when the far plane is infinite",
-                    kind: Kind::Number { min: 0.0, max: 1e9, open: true, unit: Unit::Length },
-                    default: Default::Value("100 km"),
-                },
-            ],
-        }]),
-        default: Default::Absent("`bands(8)` with `camera_space`, nothing elsewhere"),
+        kind: Kind::Choice(distribution::CHOICES),
+        default: Default::Absent("`bands(8)` where a declared configuration takes one, nothing elsewhere"),
     },
     Field {
         name: "map",
@@ -195,6 +179,24 @@ pub const FIELDS: &[Field] = &[
             Choice::plain("receiver_plane", "exact plane of the receiver in its facet; no knob"),
         ]),
         default: Default::Value("receiver_plane"),
+    },
+    Field {
+        name: "casters",
+        summary: "what the engine's casters are",
+        kind: Kind::Choice(&[
+            Choice::plain("opaque", "triangles alone"),
+            Choice::plain("alpha_tested", "triangles, some cut out by the alpha channel of a texture"),
+        ]),
+        default: Default::Value("opaque"),
+    },
+    Field {
+        name: "axes",
+        summary: "axes of positions and normals in the resolve shaders, relative to the eye",
+        kind: Kind::Choice(&[
+            Choice::plain("camera", "x right, y up, looking along -z: exact at any field of view"),
+            Choice::plain("world", "the world's: a tenth of a texel is lost at a field of view of 1 degree"),
+        ]),
+        default: Default::Value("camera"),
     },
     Field {
         name: "resolve",

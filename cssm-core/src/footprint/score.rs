@@ -1,6 +1,6 @@
 //! Footprint figures of a whole plan over the visible volume.
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
 use super::{beam_utilisation, quantile, volume};
 use crate::facet::Facet;
@@ -79,5 +79,9 @@ fn in_window(facet: &Facet, point_from_eye: DVec3) -> bool {
     let inner = |side: u32| f64::from(side - 2 * facet.tile.gutter) / f64::from(side) + 1e-9;
     let x = facet.rows.x.dot(point) / w;
     let y = facet.rows.y.dot(point) / w;
-    w > 0.0 && x.abs() <= inner(facet.tile.width) && y.abs() <= inner(facet.tile.height)
+    let clipped = |clip: &DVec4| clip.dot(point) < 0.0;
+    w > 0.0
+        && !facet.clip.iter().any(clipped)
+        && x.abs() <= inner(facet.tile.width)
+        && y.abs() <= inner(facet.tile.height)
 }

@@ -1,15 +1,16 @@
 //! The rest of a facet once its tile is known: gutters, depth row, bias figures, caster planes.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
-use super::casters;
+use super::fitted::map_area;
 use super::window::Window;
+use super::{casters, region};
 use crate::case::{Bias, LightCase};
-use crate::depth::depth_row;
+use crate::depth::{DepthNeeds, depth_row};
 use crate::facet::{Facet, FacetRows, Tile};
 use crate::footprint::quantile;
 use crate::homography::{Gradients, singular_values};
-use crate::plan::PlanError;
+use crate::plan::{DepthOrder, PlanError};
 use crate::technique::Situation;
 
 /// Depth rounding of f32 rows, interpolation and storage of a float map, in units of depth.
@@ -25,35 +26,52 @@ const FARTHEST_PIXELS: f64 = 2.0;
 /// Tangent of the steepest surface that keeps room for a slope bias.
 const STEEPEST_SLOPE: f64 = 20.0;
 
+/// How a plan keeps precision.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct DepthRules {
+    /// Which end of stored depth lies towards the light.
+    pub(super) order: DepthOrder,
+    /// Shear of positions.
+    pub(super) shear: DVec2,
+}
+
 /// Finishes a facet, in camera space.
-pub(super) fn finish(window: Window<'_>, tile: Tile, situation: &Situation<'_>) -> Result<Facet, PlanError> {
-    // Keep gutters free: receivers fill the inner part of the tile.
-    let inner = |side: u32| f64::from(side - 2 * tile.gutter) / f64::from(side);
-    let mut rows = FacetRows {
-        x: window.rows.x * inner(tile.width),
-        y: window.rows.y * inner(tile.height),
-        ..window.rows
-    };
+pub(super) fn finish(
+    window: &Window<'_>,
+    tile: Tile,
+    rules: DepthRules,
+    situation: &Situation<'_>,
+) -> Result<Facet, PlanError> {
+    // Keep gutters free.
+    let index = window.draft.sector * situation.case.shape().bands + window.draft.band;
+    let inset = region::inset(&window.rows, &window.draft.region, &tile);
+    let (mut rows, clip) = inset.ok_or_else(|| map_area(situation.case).too_small(1))?;
 
     // Measure texels across the light, per w.
     let texels = TexelsPerW::measure(&rows, &tile, &window.samples);
-    let margin = PLANE_EXTENSION_TEXELS * texels.major + bias_metres_per_w(situation.case, &texels, &window);
+    let margin = PLANE_EXTENSION_TEXELS * texels.major + bias_metres_per_w(situation.case, &texels, window);
     let receivers = &window.draft.receivers;
     let width = texels.major * f64::from(tile.width.max(tile.height));
     let farthest = FARTHEST_PIXELS * situation.view.pixels_per_tangent() * width;
-    let depth =
-        depth_row(rows.w, situation.light, receivers, margin, farthest).ok_or(PlanError::Degenerate {
-            facet: window.draft.index,
-            why: "its receivers have no extent along the light",
-        })?;
+    let needs = DepthNeeds {
+        light: situation.light,
+        receivers,
+        samples: &window.samples,
+        margin_metres_per_w: margin,
+        farthest_metres_per_w: farthest,
+        order: rules.order,
+        shear: rules.shear,
+    };
+    let depth = depth_row(&rows, &needs)
+        .ok_or(PlanError::Degenerate { facet: index, why: "its receivers have no extent along the light" })?;
     rows.z = depth.row;
     let rounding = FLOAT_ROUNDING + 1.5 * situation.case.map.format.rounding();
 
     Ok(Facet {
-        index: window.draft.index,
+        index,
         rows,
         select: window.draft.select.clone(),
-        clip: window.draft.clip.clone(),
+        clip,
         casters: casters::planes(&rows, &tile, receivers, situation.light),
         receivers: receivers.vertices.clone(),
         tile,

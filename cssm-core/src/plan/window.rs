@@ -5,9 +5,10 @@ use glam::{DVec3, DVec4};
 use crate::facet::FacetRows;
 use crate::homography::Gradients;
 use crate::layout::{Gram, TileDemand};
+use crate::polygon;
 use crate::receivers::DEPTH_ROW;
 use crate::samples::{self, SAMPLED_HORIZON_METRES};
-use crate::technique::{Draft, FacetDraft, Situation};
+use crate::technique::{Draft, FacetDraft, Region, Situation};
 
 /// Sample receivers of a view.
 const SAMPLES: usize = 1024;
@@ -17,6 +18,8 @@ const FEWEST_SAMPLES: usize = 24;
 const FARTHEST_PER_NEAREST: f64 = 4.0;
 /// Extent in x/w or y/w, relative to its size, below which a facet holds no receivers of any area.
 const EMPTY_EXTENT: f64 = 1e-12;
+/// Area in clip space, of 4, below which a facet's receivers lie on a line in the light's view.
+const EMPTY_AREA: f64 = 1e-9;
 
 /// A facet whose receivers fill its clip space from -1 to 1 across and up; its depth row is not found yet.
 #[derive(Debug)]
@@ -26,39 +29,76 @@ pub(super) struct Window<'a> {
     pub(super) rows: FacetRows,
     /// Visible points of the facet, camera space.
     pub(super) samples: Vec<DVec3>,
-    grams: Vec<Gram>,
+    /// What a texel spans at each sample that has an extent.
+    pub(super) grams: Vec<Gram>,
+    /// How many of `grams`, the first ones, come from samples of the view.
+    pub(super) seen: usize,
 }
 
 impl Window<'_> {
     pub(super) fn demand(&self) -> TileDemand {
-        TileDemand { request: self.draft.tile, samples: self.grams.clone() }
+        let request = match self.draft.region {
+            Region::Tile(request) | Region::Triangle { request, .. } => request,
+        };
+        TileDemand { request, samples: self.grams.clone() }
     }
 }
 
-/// Fits the window of every facet that has receivers.
-pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>) -> Vec<Window<'a>> {
-    let count = draft.facets.iter().map(|facet| facet.index as usize + 1).max().unwrap_or(0);
+/// Fits the window of every facet that has receivers; also says how many samples of the view have no facet.
+pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>) -> (Vec<Window<'a>>, usize) {
+    // Walk each sample to its facet.
+    let bands = draft.selection.bands;
+    let index = |facet: &FacetDraft| (facet.sector * bands + facet.band) as usize;
+    let count = draft.facets.iter().map(|facet| index(facet) + 1).max().unwrap_or(0);
     let mut by_facet = vec![Vec::new(); count];
+    let mut outside = 0;
     for point in samples::receivers(situation.view, &situation.receivers, SAMPLES) {
-        if let Some(list) = by_facet.get_mut(draft.selection.facet(point.extend(1.0)) as usize) {
-            list.push(point);
+        match by_facet.get_mut(draft.selection.facet(point.extend(1.0)) as usize) {
+            Some(list) => list.push(point),
+            None => outside += 1,
         }
     }
-    let fit = |facet: &'a FacetDraft| {
-        if facet.receivers.is_empty() {
-            return None;
-        }
-        let x = fitted(facet.x, facet)?;
-        let y = fitted(facet.y, facet)?;
-        let rows = FacetRows { x, y, z: facet.w, w: facet.w };
-        let mut samples = std::mem::take(&mut by_facet[facet.index as usize]);
+
+    // Fit the rows of each facet to its receivers.
+    let mut windows = Vec::with_capacity(draft.facets.len());
+    for facet in &draft.facets {
+        let mut samples = std::mem::take(&mut by_facet[index(facet)]);
+        let Some(rows) = rows(facet) else {
+            outside += samples.len();
+            continue;
+        };
+        let inside = |point: &DVec3| facet.receivers.contains(point.extend(1.0));
+        outside += samples.iter().filter(|point| !inside(point)).count();
+        let usable = |points: &[DVec3]| -> Vec<Gram> {
+            points.iter().filter_map(|point| gram(&rows, situation, *point)).collect()
+        };
+        let mut grams = usable(&samples);
+        let seen = grams.len();
         if samples.len() < FEWEST_SAMPLES {
-            samples.extend(inner_points(facet, FEWEST_SAMPLES - samples.len()));
+            let added = inner_points(facet, FEWEST_SAMPLES - samples.len());
+            grams.extend(usable(&added));
+            samples.extend(added);
         }
-        let grams = samples.iter().filter_map(|point| gram(&rows, situation, *point)).collect();
-        Some(Window { draft: facet, rows, samples, grams })
-    };
-    draft.facets.iter().filter_map(fit).collect()
+        windows.push(Window { draft: facet, rows, samples, grams, seen });
+    }
+    (windows, outside)
+}
+
+/// The rows of a facet fitted to its receivers, if there are any.
+fn rows(facet: &FacetDraft) -> Option<FacetRows> {
+    if facet.receivers.is_empty() {
+        return None;
+    }
+    let (x, y) = (fitted(facet.x, facet)?, fitted(facet.y, facet)?);
+    let whole = FacetRows { x, y, z: facet.w, w: facet.w };
+    let outline = polygon::outline(&whole, &facet.receivers.vertices);
+    if polygon::area(&outline) <= EMPTY_AREA {
+        return None;
+    }
+    Some(match facet.region {
+        Region::Tile(_) => whole,
+        Region::Triangle { .. } => FacetRows { x: facet.x, y: facet.y, z: facet.w, w: facet.w },
+    })
 }
 
 /// The row scaled and shifted so that its ratio to w runs from -1 to 1 over the facet's receivers.

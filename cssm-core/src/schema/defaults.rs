@@ -44,6 +44,13 @@ impl Field {
     }
 }
 
+impl Choice {
+    /// The choice with the defaults of its arguments.
+    pub fn word(&self) -> Word {
+        Word { name: self.name, arguments: fill(self.arguments, &Arguments::default()) }
+    }
+}
+
 /// The value with the defaults of the arguments it leaves out; -0 becomes 0, so that equal values print alike.
 fn complete(kind: &Kind, value: &Value) -> Value {
     match (kind, value) {
@@ -68,7 +75,7 @@ fn complete_word(choices: &'static [Choice], word: &Word) -> Word {
 /// The choice that a default's text begins with; its arguments are the defaults of the choice's own fields.
 fn default_word(choices: &'static [Choice], text: &str) -> Option<Word> {
     let name = text.split([' ', '(', '{']).next()?;
-    Choice::find(choices, name).map(|choice| complete_word(choices, &Word::plain(choice.name)))
+    Choice::find(choices, name).map(Choice::word)
 }
 
 /// The entries of a list in brackets, split at the commas outside braces.

@@ -6,7 +6,7 @@ use super::{
     BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantKind, ConstantValue, FieldType,
     GroupContent, Meaning, Pass, Record, RecordField, RecordKind, Resource, ShaderKind,
 };
-use crate::case::{Bias, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
+use crate::case::{Bias, Casters, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
 use crate::facet::FacetShape;
 
 impl CaseTable {
@@ -15,15 +15,27 @@ impl CaseTable {
         let shape = case.shape();
         let names = Names { prefix: &case.prefix };
         let mut records = Vec::new();
-        let mut groups = vec![capture_group(&names, ShaderKind::Capture)];
-        let mut passes = vec![capture_pass(&names, ShaderKind::Capture)];
-        groups.push(capture_group(&names, ShaderKind::CaptureClamped));
-        passes.push(capture_pass(&names, ShaderKind::CaptureClamped));
+        let mut groups = Vec::new();
+        let mut passes = Vec::new();
+        for shader in [ShaderKind::Capture, ShaderKind::CaptureClamped] {
+            groups.push(capture_group(&names, shader));
+            passes.push(capture_pass(&names, shader));
+        }
+        if case.casters == Casters::AlphaTested {
+            for shader in [ShaderKind::CaptureTested, ShaderKind::CaptureTestedClamped] {
+                groups.push(capture_group(&names, shader));
+                groups.push(caster_mask_group(&names, shader));
+                passes.push(capture_pass(&names, shader));
+            }
+        }
 
         // Resolving shares one record and one group layout between its interfaces.
         records.push(facet_record(&names, case));
         records.push(shadow_record(&names, case, records[0].size_bytes));
-        records.push(rows_record(&names));
+        records.push(capture_record(&names, shape));
+        if case.casters == Casters::AlphaTested {
+            records.push(caster_mask_record(&names));
+        }
         for interface in &case.resolve {
             match *interface {
                 Resolve::Mask { depth, normal } => {
@@ -47,6 +59,10 @@ impl CaseTable {
             map_format: case.map.format,
             sectors: shape.sectors,
             bands: shape.bands,
+            clips: shape.clips,
+            may_reverse_depth: case.may_reverse_depth(),
+            axes: case.axes,
+            shears: case.shears(),
             fetches_per_pixel: 1,
             constants: constants(&names, case).into(),
             records: records.into(),
@@ -195,14 +211,29 @@ fn shadow_record(names: &Names, case: &LightCase, facet_bytes: u32) -> Record {
     if matches!(case.bias, Bias::Slope { .. }) {
         layout.push("toward_light", Meaning::TowardLight, FieldType::Vec4);
     }
+    if case.shears() {
+        layout.push("shear", Meaning::Shear, FieldType::Vec4);
+    }
+    if case.may_reverse_depth() {
+        layout.push("depth_sign", Meaning::DepthSign, FieldType::F32);
+    }
     layout.push_array("facets", Meaning::Facets, FieldType::Facet, shape.facets(), facet_bytes);
     layout.record(RecordKind::Shadow, names.ty(RecordKind::Shadow.name()))
 }
 
-fn rows_record(names: &Names) -> Record {
+fn capture_record(names: &Names, shape: FacetShape) -> Record {
     let mut layout = Layout::new();
     push_rows(&mut layout);
+    if shape.clips > 0 {
+        layout.push_array("clips", Meaning::Clips, FieldType::Vec4, shape.clips, 16);
+    }
     layout.record(RecordKind::Capture, names.ty(RecordKind::Capture.name()))
+}
+
+fn caster_mask_record(names: &Names) -> Record {
+    let mut layout = Layout::new();
+    layout.push("alpha_cutoff", Meaning::AlphaCutoff, FieldType::F32);
+    layout.record(RecordKind::CasterMask, names.ty(RecordKind::CasterMask.name()))
 }
 
 fn mask_record(names: &Names, depth: MaskDepth) -> Record {
@@ -220,6 +251,20 @@ fn capture_group(names: &Names, shader: ShaderKind) -> BindGroup {
     let kind = BindingKind::Uniform { record: RecordKind::Capture, dynamic_offset: true };
     let bindings = vec![Binding { binding: 0, name: names.value("capture"), kind }];
     BindGroup { shader, content: GroupContent::CaptureFacet, group: 0, bindings: bindings.into() }
+}
+
+fn caster_mask_group(names: &Names, shader: ShaderKind) -> BindGroup {
+    let kind = BindingKind::Uniform { record: RecordKind::CasterMask, dynamic_offset: false };
+    let bindings = vec![
+        Binding { binding: 0, name: names.value("caster_mask"), kind },
+        Binding { binding: 1, name: names.value("caster_mask_texture"), kind: BindingKind::CasterMask },
+        Binding {
+            binding: 2,
+            name: names.value("caster_mask_sampler"),
+            kind: BindingKind::CasterMaskSampler,
+        },
+    ];
+    BindGroup { shader, content: GroupContent::CasterMask, group: 1, bindings: bindings.into() }
 }
 
 fn mask_group(names: &Names, depth: MaskDepth, normal: MaskNormal) -> BindGroup {
@@ -262,12 +307,14 @@ fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32)
 }
 
 fn capture_pass(names: &Names, shader: ShaderKind) -> Pass {
-    let clamped = shader == ShaderKind::CaptureClamped;
+    let tested = matches!(shader, ShaderKind::CaptureTested | ShaderKind::CaptureTestedClamped);
+    let reads = if tested { &[Resource::Casters, Resource::CasterMasks][..] } else { &[Resource::Casters] };
+    let fragment = shader != ShaderKind::Capture;
     Pass {
         shader,
         vertex: names.value(&format!("{}_vertex", shader.name())),
-        fragment: clamped.then(|| names.value(&format!("{}_fragment", shader.name()))),
-        reads: Cow::Borrowed(&[Resource::Casters]),
+        fragment: fragment.then(|| names.value(&format!("{}_fragment", shader.name()))),
+        reads: Cow::Borrowed(reads),
         writes: Cow::Borrowed(&[Resource::Map]),
     }
 }

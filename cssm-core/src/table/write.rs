@@ -1,8 +1,10 @@
-//! Rounds a plan once, into the bytes of the records.
+//! Rounds a plan once, into the bytes of the records: in the axes that the
+//! shaders evaluate facets in.
 
-use glam::{DVec3, DVec4};
+use glam::{DMat3, DVec2, DVec3, DVec4};
 
 use super::{CaseTable, Meaning, Record, RecordKind};
+use crate::case::Axes;
 use crate::facet::Facet;
 use crate::plan::ShadowPlan;
 use crate::view::View;
@@ -14,13 +16,15 @@ const UNREACHED: f32 = f32::MAX;
 pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
     let Some(record) = table.record(RecordKind::Shadow) else { return Vec::new() };
     let facet_record = table.record(RecordKind::Facet);
+    let sign = plan.depth_order.sign();
+    let turned = Turn::resolve(table, plan);
     let mut bytes = vec![0; record.size_bytes as usize];
     for field in record.fields.iter() {
         let offset = field.offset_bytes as usize;
         let stride = field.stride_bytes as usize;
         match field.meaning {
-            Meaning::Borders => put_rows(&mut bytes, offset, &plan.selection.borders),
-            Meaning::Distances => put_rows(&mut bytes, offset, &plan.selection.distances),
+            Meaning::Borders => put_rows(&mut bytes, offset, &plan.selection.borders, &turned),
+            Meaning::Distances => put_rows(&mut bytes, offset, &plan.selection.distances, &turned),
             Meaning::Thresholds => {
                 let vectors = (table.bands as usize - 1).div_ceil(4);
                 for sector in 0..table.sectors as usize {
@@ -32,11 +36,18 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
                     }
                 }
             }
-            Meaning::TowardLight => put_row(&mut bytes, offset, plan.light),
+            Meaning::TowardLight => put_row(&mut bytes, offset, turned.direction(plan.light)),
+            Meaning::Shear => {
+                let leading = plan.shear.as_vec2().as_dvec2();
+                let rest = plan.shear - leading;
+                put_row(&mut bytes, offset, DVec4::new(leading.x, leading.y, rest.x, rest.y));
+            }
+            Meaning::DepthSign => put(&mut bytes, offset, sign as f32),
             Meaning::Facets => {
                 let Some(facet_record) = facet_record else { continue };
                 for facet in &plan.facets {
-                    write_facet(&mut bytes, offset + facet.index as usize * stride, facet_record, facet);
+                    let offset = offset + facet.index as usize * stride;
+                    write_facet(&mut bytes, offset, facet_record, facet, &turned, sign);
                 }
             }
             _ => {}
@@ -45,11 +56,22 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
     bytes
 }
 
-/// Bytes of the record of kind [`RecordKind::Capture`] for one facet.
-pub fn write_capture_record(table: &CaseTable, facet: &Facet) -> Vec<u8> {
+/// Bytes of the record of kind [`RecordKind::Capture`] for one facet of a plan.
+pub fn write_capture_record(table: &CaseTable, plan: &ShadowPlan, facet: &Facet) -> Vec<u8> {
     let Some(record) = table.record(RecordKind::Capture) else { return Vec::new() };
     let mut bytes = vec![0; record.size_bytes as usize];
-    write_facet(&mut bytes, 0, record, facet);
+    let turned = Turn::capture(plan);
+    write_facet(&mut bytes, 0, record, facet, &turned, 1.0);
+    bytes
+}
+
+/// Bytes of the record of kind [`RecordKind::CasterMask`].
+pub fn write_caster_mask_record(table: &CaseTable, alpha_cutoff: f32) -> Vec<u8> {
+    let Some(record) = table.record(RecordKind::CasterMask) else { return Vec::new() };
+    let mut bytes = vec![0; record.size_bytes as usize];
+    for field in record.fields.iter().filter(|field| field.meaning == Meaning::AlphaCutoff) {
+        put(&mut bytes, field.offset_bytes as usize, alpha_cutoff);
+    }
     bytes
 }
 
@@ -57,17 +79,20 @@ pub fn write_capture_record(table: &CaseTable, facet: &Facet) -> Vec<u8> {
 pub fn write_mask_record(table: &CaseTable, view: &View) -> Vec<u8> {
     let Some(record) = table.record(RecordKind::Mask) else { return Vec::new() };
     let mut bytes = vec![0; record.size_bytes as usize];
-    let (width, height) = (f64::from(view.size_pixels.0), f64::from(view.size_pixels.1));
-    let corner = view.ray_world(0.0, 0.0);
-    let across = view.ray_world(width, 0.0) - corner;
-    let down = view.ray_world(0.0, height) - corner;
+    let to_axes = match table.axes {
+        Axes::World => view.camera_from_world.transpose(),
+        Axes::Camera => DMat3::IDENTITY,
+    };
+    let corner = DVec3::new(view.left, view.top, -1.0);
+    let across = DVec3::X * (view.right - view.left);
+    let down = DVec3::Y * (view.bottom - view.top);
     for field in record.fields.iter() {
         let offset = field.offset_bytes as usize;
-        let direction = |ray: DVec3| ray.extend(0.0);
+        let mut direction = |ray: DVec3| put_row(&mut bytes, offset, (to_axes * ray).extend(0.0));
         match field.meaning {
-            Meaning::RayCorner => put_row(&mut bytes, offset, direction(corner)),
-            Meaning::RayAcross => put_row(&mut bytes, offset, direction(across)),
-            Meaning::RayDown => put_row(&mut bytes, offset, direction(down)),
+            Meaning::RayCorner => direction(corner),
+            Meaning::RayAcross => direction(across),
+            Meaning::RayDown => direction(down),
             Meaning::InverseDepth => {
                 let far_inverse = 1.0 / view.far_metres;
                 put(&mut bytes, offset, (1.0 / view.near_metres - far_inverse) as f32);
@@ -79,17 +104,59 @@ pub fn write_mask_record(table: &CaseTable, view: &View) -> Vec<u8> {
     bytes
 }
 
-fn write_facet(bytes: &mut [u8], base: usize, record: &Record, facet: &Facet) {
+/// From the world axes of plans to the axes of a record.
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    /// Points and directions.
+    points: DMat3,
+    /// Rows: the inverse, transposed.
+    rows: DMat3,
+}
+
+impl Turn {
+    /// The axes that facets are evaluated in by the resolve shaders.
+    fn resolve(table: &CaseTable, plan: &ShadowPlan) -> Self {
+        match (table.axes, table.shears) {
+            (Axes::World, _) => Self { points: DMat3::IDENTITY, rows: DMat3::IDENTITY },
+            (Axes::Camera, false) => Self { points: plan.camera_from_world, rows: plan.camera_from_world },
+            (Axes::Camera, true) => Self::capture(plan),
+        }
+    }
+
+    /// The axes of capture records.
+    fn capture(plan: &ShadowPlan) -> Self {
+        let DVec2 { x, y } = plan.shear;
+        let rows = DMat3::from_cols(DVec3::new(1.0, 0.0, -x), DVec3::new(0.0, 1.0, -y), DVec3::Z);
+        Self { points: plan.capture_from_world(), rows: rows * plan.camera_from_world }
+    }
+
+    fn row(&self, row: DVec4) -> DVec4 {
+        (self.rows * row.truncate()).extend(row.w)
+    }
+
+    fn direction(&self, direction: DVec4) -> DVec4 {
+        (self.points * direction.truncate()).extend(direction.w)
+    }
+}
+
+/// Fields of one facet; `sign` turns the depth row so that it grows away from the light.
+fn write_facet(bytes: &mut [u8], base: usize, record: &Record, facet: &Facet, turned: &Turn, sign: f64) {
     let tile = &facet.tile;
     let (x, y) = (f64::from(tile.x), f64::from(tile.y));
     let (width, height) = (f64::from(tile.width), f64::from(tile.height));
     for field in record.fields.iter() {
         let offset = base + field.offset_bytes as usize;
         match field.meaning {
-            Meaning::RowX => put_row(bytes, offset, facet.rows.x),
-            Meaning::RowY => put_row(bytes, offset, facet.rows.y),
-            Meaning::RowZ => put_row(bytes, offset, facet.rows.z),
-            Meaning::RowW => put_row(bytes, offset, facet.rows.w),
+            Meaning::RowX => put_row(bytes, offset, turned.row(facet.rows.x)),
+            Meaning::RowY => put_row(bytes, offset, turned.row(facet.rows.y)),
+            Meaning::RowZ => put_row(bytes, offset, turned.row(facet.rows.z * sign)),
+            Meaning::RowW => put_row(bytes, offset, turned.row(facet.rows.w)),
+            Meaning::Clips => {
+                for index in 0..field.elements as usize {
+                    let clip = facet.clip.get(index).copied().unwrap_or(DVec4::W);
+                    put_row(bytes, offset + index * field.stride_bytes as usize, turned.row(clip));
+                }
+            }
             Meaning::TexelFromNdc => {
                 let transform = DVec4::new(0.5 * width, -0.5 * height, x + 0.5 * width, y + 0.5 * height);
                 put_row(bytes, offset, transform);
@@ -106,9 +173,9 @@ fn write_facet(bytes: &mut [u8], base: usize, record: &Record, facet: &Facet) {
     }
 }
 
-fn put_rows(bytes: &mut [u8], offset: usize, rows: &[DVec4]) {
+fn put_rows(bytes: &mut [u8], offset: usize, rows: &[DVec4], turned: &Turn) {
     for (index, row) in rows.iter().enumerate() {
-        put_row(bytes, offset + 16 * index, *row);
+        put_row(bytes, offset + 16 * index, turned.row(*row));
     }
 }
 

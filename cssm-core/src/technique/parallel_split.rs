@@ -3,12 +3,12 @@
 use glam::DVec4;
 
 use super::standard::light_plane_axes;
-use super::{Draft, FacetDraft, Situation, TechniqueSpec, TileRequest};
+use super::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TechniqueSpec, TileRequest};
 use crate::case::{CaseError, LightCase};
 use crate::facet::{FacetShape, Selection};
 use crate::plan::PlanError;
 use crate::receivers::DEPTH_ROW;
-use crate::schema::{Choice, Default, Field, Kind, Unit};
+use crate::schema::{Choice, Default, Field, Kind, Unit, Word};
 
 const SCHEMES: &[Choice] = &[
     Choice::plain("uniform", "slabs of equal depth"),
@@ -51,15 +51,26 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
             },
         ],
     },
-    configurations: &[Choice::plain("slabs", "one facet per depth slab")],
+    configurations: &[CONFIGURATION],
     distribution: None,
     fits_infinity: false,
-    shape: |case| FacetShape { sectors: 1, bands: case.technique.arguments.count("splits").unwrap_or(4) },
+    follows_camera: false,
     check,
+};
+
+const CONFIGURATION: ConfigurationSpec = ConfigurationSpec {
+    choice: Choice::plain("slabs", "one facet per depth slab"),
+    takes_distribution: false,
+    serves: |_| true,
+    shape: |case, _| FacetShape {
+        sectors: 1,
+        bands: case.technique.arguments.count("splits").unwrap_or(4),
+        clips: 0,
+    },
     draft,
 };
 
-fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
+fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
@@ -69,7 +80,7 @@ fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
     let limits = split_limits(situation.case, near, far, splits);
     let (x, y) = light_plane_axes(situation.light);
 
-    // A slab selects receivers; it does not contain the light and must never clip casters.
+    // A slab selects receivers; it does not contain the light, so no caster may be cut with it.
     let facets = (0..splits).map(|index| {
         let slab = index as usize;
         let mut select = Vec::new();
@@ -80,21 +91,21 @@ fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
             select.push(DVec4::W * limits[slab] - DEPTH_ROW);
         }
         FacetDraft {
-            index,
+            sector: 0,
+            band: index,
             x,
             y,
             w: DVec4::W,
             receivers: situation.receivers.cut_by(&select),
             select,
-            clip: Vec::new(),
-            tile: match arguments.sizes("sizes") {
+            region: Region::Tile(match arguments.sizes("sizes") {
                 Some(sizes) => TileRequest::Fixed(sizes[slab].0, sizes[slab].1),
                 None => TileRequest::Share(1.0 / f64::from(splits)),
-            },
+            }),
         }
     });
-    Ok(Draft {
-        configuration: SPEC.configurations[0].name,
+    Ok(vec![Draft {
+        configuration: CONFIGURATION.choice.name,
         facets: facets.collect(),
         selection: Selection {
             borders: Vec::new(),
@@ -102,7 +113,7 @@ fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
             thresholds: vec![limits],
             bands: splits,
         },
-    })
+    }])
 }
 
 /// Depths of the inner limits, ascending (parallel-split slides, "split schemes").

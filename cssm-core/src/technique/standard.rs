@@ -2,41 +2,48 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Draft, FacetDraft, Situation, TechniqueSpec, TileRequest};
+use super::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TechniqueSpec, TileRequest};
 use crate::facet::{FacetShape, Selection};
 use crate::plan::PlanError;
-use crate::schema::Choice;
+use crate::schema::{Choice, Word};
 
 /// Entry of the name table.
 pub const SPEC: TechniqueSpec = TechniqueSpec {
     choice: Choice::plain("standard", "one uniform map fitted to the receivers, up = the camera's y"),
-    configurations: &[Choice::plain("single", "one facet over the whole map")],
+    configurations: &[CONFIGURATION],
     distribution: None,
     fits_infinity: false,
-    shape: |_| FacetShape { sectors: 1, bands: 1 },
+    follows_camera: false,
     check: |_| Vec::new(),
+};
+
+const CONFIGURATION: ConfigurationSpec = ConfigurationSpec {
+    choice: Choice::plain("single", "one facet over the whole map"),
+    takes_distribution: false,
+    serves: |_| true,
+    shape: |_, _| FacetShape { sectors: 1, bands: 1, clips: 0 },
     draft,
 };
 
-fn draft(situation: &Situation<'_>) -> Result<Draft, PlanError> {
+fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
     let (x, y) = light_plane_axes(situation.light);
-    Ok(Draft {
-        configuration: SPEC.configurations[0].name,
+    Ok(vec![Draft {
+        configuration: CONFIGURATION.choice.name,
         selection: Selection::single(),
         facets: vec![FacetDraft {
-            index: 0,
+            sector: 0,
+            band: 0,
             x,
             y,
             w: DVec4::W,
             select: Vec::new(),
-            clip: Vec::new(),
             receivers: situation.receivers.clone(),
-            tile: TileRequest::Share(1.0),
+            region: Region::Tile(TileRequest::Share(1.0)),
         }],
-    })
+    }])
 }
 
 /// Rows of two orthonormal axes of the light plane (camera space): the second is the camera's y seen along the light,

@@ -4,17 +4,18 @@ use glam::{DVec3, DVec4};
 
 use super::DepthMap;
 use crate::facet::Facet;
-use crate::plan::ShadowPlan;
+use crate::plan::{DepthOrder, ShadowPlan};
 
 /// A caster triangle, corners relative to the eye in world axes, metres.
 pub type Triangle = [DVec3; 3];
 
-/// Renders casters into the map of a plan: every texel centre keeps the smallest depth, clamped to [0, 1].
+/// Renders casters into the map of a plan: every texel centre keeps the depth nearest to the light,
+/// clamped to [0, 1].
 pub fn capture(plan: &ShadowPlan, triangles: &[Triangle]) -> DepthMap {
-    let mut map = DepthMap::cleared(plan.map_size_texels.0, plan.map_size_texels.1);
+    let mut map = DepthMap::cleared(plan.map_size_texels.0, plan.map_size_texels.1, plan.depth_order);
     for facet in &plan.facets {
         for triangle in triangles {
-            draw(&mut map, facet, triangle);
+            draw(&mut map, facet, triangle, plan.depth_order);
         }
     }
     map
@@ -23,7 +24,7 @@ pub fn capture(plan: &ShadowPlan, triangles: &[Triangle]) -> DepthMap {
 /// Determinant, relative to its factors, below which a triangle is edge-on to the light.
 const EDGE_ON: f64 = 1e-14;
 
-fn draw(map: &mut DepthMap, facet: &Facet, triangle: &Triangle) {
+fn draw(map: &mut DepthMap, facet: &Facet, triangle: &Triangle, order: DepthOrder) {
     let rows = &facet.rows;
     let corners = triangle.map(|corner| {
         let point = corner.extend(1.0);
@@ -42,6 +43,13 @@ fn draw(map: &mut DepthMap, facet: &Facet, triangle: &Triangle) {
         .map(|edge| edge / determinant);
     let depth_row = edges[0] * corners[0].z + edges[1] * corners[1].z + edges[2] * corners[2].z;
 
+    // A value that is linear over the triangle in space is linear over its image once divided by w: so are clip rows.
+    let clip_edges = facet.clip.iter().map(|clip| {
+        let values = triangle.map(|corner| clip.dot(corner.extend(1.0)));
+        edges[0] * values[0] + edges[1] * values[1] + edges[2] * values[2]
+    });
+    let limits: Vec<DVec3> = edges.into_iter().chain(clip_edges).collect();
+
     // Walk the rows of texel centres; along a row every edge is a linear inequality.
     let tile = &facet.tile;
     let (width, height) = (f64::from(tile.width), f64::from(tile.height));
@@ -53,7 +61,7 @@ fn draw(map: &mut DepthMap, facet: &Facet, triangle: &Triangle) {
     for row in first_row..=last_row as u32 {
         let y = 1.0 - 2.0 * (f64::from(row) + 0.5) / height;
         let (mut from, mut to) = (low.0, high.0);
-        for edge in &edges {
+        for edge in &limits {
             let constant = edge.y * y + edge.z;
             if edge.x > 0.0 {
                 from = from.max(-constant / edge.x);
@@ -74,7 +82,10 @@ fn draw(map: &mut DepthMap, facet: &Facet, triangle: &Triangle) {
             let x = 2.0 * (column + 0.5) / width - 1.0;
             let depth = depth_row.dot(DVec3::new(x, y, 1.0)).clamp(0.0, 1.0);
             let texel = &mut map.depths[start + column as usize];
-            *texel = texel.min(depth);
+            *texel = match order {
+                DepthOrder::Standard => texel.min(depth),
+                DepthOrder::Reversed => texel.max(depth),
+            };
             column += 1.0;
         }
     }

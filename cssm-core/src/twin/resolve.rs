@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::DepthMap;
 use crate::case::{Bias, Filter, LightCase};
-use crate::facet::Facet;
+use crate::facet::{Facet, FacetRows};
 use crate::homography::Gradients;
 use crate::plan::ShadowPlan;
 
@@ -15,7 +15,7 @@ pub struct Resolved {
     pub facet: u32,
     /// Map texel coordinates (centres at .5, y down); NaN when the facet has no receivers.
     pub texel: DVec2,
-    /// Depth of the point in the facet, before bias.
+    /// Stored depth of the point in the facet, before bias.
     pub depth: f64,
     /// 0 in shadow, 1 lit, between where the filter blends.
     pub visibility: f64,
@@ -38,12 +38,14 @@ pub fn resolve(
     let Some(facet) = plan.facet(index) else { return lit(DVec2::NAN, f64::NAN) };
 
     // Find the texel; beyond the facet's own receivers everything is lit.
-    let gradients = Gradients::at(&facet.rows, point_from_eye);
+    // Depth that grows away from the light is compared, whichever way it is stored.
+    let sign = plan.depth_order.sign();
+    let gradients = Gradients::at(&FacetRows { z: facet.rows.z * sign, ..facet.rows }, point_from_eye);
     if gradients.w <= 0.0 {
         return lit(DVec2::NAN, f64::NAN);
     }
     let (x, y) = facet.tile.texel_from_ndc(gradients.ndc.x, gradients.ndc.y);
-    let (texel, depth) = (DVec2::new(x, y), gradients.ndc.z);
+    let (texel, depth) = (DVec2::new(x, y), gradients.ndc.z * sign);
     let (low, high) = facet.tile.texel_limits();
     if texel.cmplt(low).any() || texel.cmpgt(high).any() {
         return lit(texel, depth);
@@ -52,8 +54,10 @@ pub fn resolve(
     // Compare and filter.
     let reference = Reference::new(case, plan, facet, &gradients, texel, normal);
     let stored = |corner: DVec2| map.depth(corner.x as i64, corner.y as i64);
-    let lit_at =
-        |reference: f64, corner: DVec2| f64::from(u8::from(reference.clamp(0.0, 1.0) <= stored(corner)));
+    let (nearest, farthest) = (sign.min(0.0), sign.max(0.0));
+    let lit_at = |reference: f64, corner: DVec2| {
+        f64::from(u8::from(reference.clamp(nearest, farthest) <= sign * stored(corner)))
+    };
     let visibility = match case.filter {
         Filter::None => {
             let corner = texel.floor();

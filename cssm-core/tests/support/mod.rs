@@ -40,7 +40,7 @@ impl Random {
     }
 }
 
-/// A case of each technique at a map size.
+/// A case of each technique, configuration and distribution at a map size.
 pub(crate) fn cases(size: u32, shadow_distance: f64) -> Vec<LightCase> {
     let split = |scheme: &'static str, splits: u32| {
         let arguments = [("splits", Value::Count(splits)), ("scheme", Value::Word(Word::plain(scheme)))];
@@ -50,6 +50,10 @@ pub(crate) fn cases(size: u32, shadow_distance: f64) -> Vec<LightCase> {
         let builder = LightCase::builder(name).technique(technique).shadow_distance_metres(shadow_distance);
         builder.map_size_texels(size, size).build().unwrap()
     };
+    let camera_space = |name: &str, configurations: &[&'static str]| {
+        LightCase::builder(name).configurations(configurations).map_size_texels(size, size)
+    };
+    let perspective = || Word::plain("perspective");
     vec![
         bounded("Standard", Word::plain("standard")),
         bounded("Logarithmic", split("logarithmic", 4)),
@@ -57,6 +61,11 @@ pub(crate) fn cases(size: u32, shadow_distance: f64) -> Vec<LightCase> {
         LightCase::builder("Faces").bands(8, 1e5).map_size_texels(size, size).build().unwrap(),
         LightCase::builder("Column").bands(1, 1e5).map_size_texels(size, size).build().unwrap(),
         LightCase::builder("Fine").bands(16, 1e5).map_size_texels(size, size).build().unwrap(),
+        camera_space("FocusedFaces", &["face_columns"]).distribution(perspective()).build().unwrap(),
+        camera_space("OnePlane", &["one_plane"]).distribution(perspective()).build().unwrap(),
+        camera_space("BandedPlane", &["one_plane"]).build().unwrap(),
+        camera_space("FourPlane", &["four_plane"]).build().unwrap(),
+        camera_space("Chosen", &["four_plane", "one_plane"]).build().unwrap(),
     ]
 }
 
@@ -87,4 +96,40 @@ pub(crate) fn off_centre_view(near: f64, far: f64) -> View {
     let mut view = turned_view(near, far);
     (view.left, view.right, view.bottom, view.top) = (-0.1, 1.3, -0.9, 0.2);
     view
+}
+
+/// Views at the extremes of depth range, field of view, aspect and distance from the origin.
+pub(crate) fn extreme_views() -> Vec<View> {
+    let mut views = Vec::new();
+    for (near, far) in [(0.1, 1e6), (1e-4, 1e3), (0.1, f64::INFINITY)] {
+        for fov in [1.0, 60.0, 170.0_f64] {
+            for size in [(100, 1000), (1000, 700), (2000, 200)] {
+                for origin in [0.0, 1e7] {
+                    let eye = DVec3::new(3.0, 1.7, 5.0) + DVec3::new(1.0, -0.5, 0.7) * origin;
+                    let target = eye + DVec3::new(0.3, -0.1, -1.0);
+                    let view = View::perspective(eye, target, DVec3::Y, fov.to_radians(), near, far, size);
+                    views.push(view.unwrap());
+                }
+            }
+        }
+    }
+    views
+}
+
+/// Directions towards lights along the axis, an edge, a corner and the near plane of a view, ahead and behind, exactly
+/// and from 1e-12 to 1e-2 radians off.
+pub(crate) fn extreme_lights(view: &View, random: &mut Random) -> Vec<DVec3> {
+    let to_world = view.camera_from_world.transpose();
+    let corner = DVec3::new(view.right, view.top, -1.0);
+    let edge = DVec3::new(0.3 * view.left, view.top, -1.0);
+    let mut lights = Vec::new();
+    for special in [DVec3::NEG_Z, edge, corner, DVec3::new(0.6, 0.8, 0.0)] {
+        for offset in [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2] {
+            for sign in [1.0, -1.0] {
+                let camera = (special.normalize() + random.direction() * offset) * sign;
+                lights.push((to_world * camera).normalize());
+            }
+        }
+    }
+    lights
 }

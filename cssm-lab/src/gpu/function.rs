@@ -1,6 +1,6 @@
 //! The generated function called from a material of the lab's own, as an engine would.
 
-use cssm_core::case::Bias;
+use cssm_core::case::{Axes, Bias};
 use cssm_core::table::{CaseTable, GroupContent, ShaderKind};
 use cssm_core::{LightCase, case};
 use cssm_runtime::ShadowService;
@@ -18,6 +18,7 @@ pub(super) struct FunctionPipeline {
     pixel_layout: wgpu::BindGroupLayout,
     pixel_group: u32,
     shadow_group: u32,
+    axes: Axes,
 }
 
 impl FunctionPipeline {
@@ -74,7 +75,7 @@ impl FunctionPipeline {
                 multiview_mask: None,
                 cache: None,
             });
-            Self { pipeline, pixel_layout, pixel_group, shadow_group }
+            Self { pipeline, pixel_layout, pixel_group, shadow_group, axes: case.axes }
         })
     }
 
@@ -84,11 +85,12 @@ impl FunctionPipeline {
             binding,
             resource: wgpu::BindingResource::TextureView(view),
         };
+        let vectors = surface.vectors(self.axes);
         gpu.checked("the lab's pixels", || {
             gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("lab pixels"),
                 layout: &self.pixel_layout,
-                entries: &[entry(0, &surface.positions), entry(1, &surface.normals)],
+                entries: &[entry(0, &vectors.positions), entry(1, &vectors.normals)],
             })
         })
     }

@@ -1,20 +1,22 @@
-//! A scene's meshes in two buffers.
+//! A scene's meshes in two buffers, and its alpha masks.
 
 use cssm_core::BoundingBox;
 use cssm_core::glam::DVec3;
 use cssm_runtime::{CasterInstance, IndexDescription, MeshDescription, ShadowService};
 
+use super::alpha_mask::MaskBuffers;
 use super::{Gpu, GpuError};
 use crate::scene::Scene;
 
 const POSITION_BYTES: u64 = 12;
 const INDEX_BYTES: u64 = 4;
 
-/// All vertices and all indices of a scene.
+/// All vertices and all indices of a scene, and the alpha masks of its meshes.
 #[derive(Debug)]
 pub struct SceneBuffers {
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
+    masks: Vec<Option<MaskBuffers>>,
 }
 
 impl SceneBuffers {
@@ -51,7 +53,11 @@ impl SceneBuffers {
                 index += mesh.indices.len() as u64 * INDEX_BYTES;
             }
         })?;
-        Ok(Self { vertices, indices })
+        let mask = |mesh: &crate::scene::Mesh| {
+            mesh.mask.as_ref().map(|mask| MaskBuffers::new(gpu, mask)).transpose()
+        };
+        let masks = scene.meshes.iter().map(mask).collect::<Result<_, _>>()?;
+        Ok(Self { vertices, indices, masks })
     }
 
     /// Registers the scene's meshes with a service and returns its instances as casters.
@@ -65,7 +71,7 @@ impl SceneBuffers {
     ) -> Result<Vec<CasterInstance>, GpuError> {
         let (mut vertex, mut index) = (0, 0);
         let mut handles = Vec::with_capacity(scene.meshes.len());
-        for mesh in &scene.meshes {
+        for (mesh, mask) in scene.meshes.iter().zip(&self.masks) {
             let handle = match mesh.bounds().filter(|_| !mesh.indices.is_empty()) {
                 None => None,
                 Some((min, max)) => Some(service.add_mesh(&MeshDescription {
@@ -82,6 +88,7 @@ impl SceneBuffers {
                         format: wgpu::IndexFormat::Uint32,
                     }),
                     bounds_object: BoundingBox { min: DVec3::from_array(min), max: DVec3::from_array(max) },
+                    mask: mask.as_ref().map(MaskBuffers::description),
                 })?),
             };
             handles.push(handle);

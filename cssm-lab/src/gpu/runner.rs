@@ -1,6 +1,6 @@
 //! One case on the device: capture, then visibility of traced pixels.
 
-use cssm_core::case::{LightCase, MaskDepth, Resolve};
+use cssm_core::case::{Axes, LightCase, MaskDepth, Resolve};
 use cssm_core::table::CaseTable;
 use cssm_core::{ShadowPlan, View};
 use cssm_runtime::{CasterInstance, MaskInputs, Options, PreparedFrame, ShadowService, read_back};
@@ -39,7 +39,7 @@ pub struct CaseRunner {
 #[derive(Debug)]
 enum Resolver {
     Function(FunctionPipeline),
-    Mask(MaskDepth),
+    Mask(MaskDepth, Axes),
 }
 
 impl CaseRunner {
@@ -66,7 +66,7 @@ impl CaseRunner {
                     Resolve::Function { .. } => None,
                 });
                 let not_declared = || GpuError::NotDeclared { case: case.name.clone(), method: "mask" };
-                Resolver::Mask(depth.ok_or_else(not_declared)?)
+                Resolver::Mask(depth.ok_or_else(not_declared)?, case.axes)
             }
         };
         Ok(Self { service, casters, resolver })
@@ -142,12 +142,12 @@ impl CaseRunner {
                 let pixels = function.bind(gpu, surface)?;
                 function.record(encoder, &pixels, frame.shadow_bind_group(), target, timestamps);
             }
-            Resolver::Mask(depth) => {
+            Resolver::Mask(depth, axes) => {
                 let depth = match depth {
                     MaskDepth::ReversedZ => &surface.reversed_z,
                     MaskDepth::Linear => &surface.linear_depths,
                 };
-                let inputs = MaskInputs { depth, normal: Some(&surface.normals) };
+                let inputs = MaskInputs { depth, normal: Some(&surface.vectors(*axes).normals) };
                 self.service.mask(encoder, frame, &inputs, target, timestamps)?;
             }
         }

@@ -17,6 +17,20 @@ const PATCH_PIXELS: usize = 15;
 /// not, leak and acne, or crease for both beside a crease. Surfaces that do not face the light are not judged and
 /// show the truth.
 pub fn error_picture(width: usize, height: usize, verdicts: &[Option<Verdict>], score: &Score) -> Picture {
+    let percent = |share: f64| format!(" {:.3} %", 100.0 * share);
+    let crease = score.leak.crease + score.acne.crease;
+    let shares = [
+        String::new(),
+        String::new(),
+        percent(score.leak.total - score.leak.crease),
+        percent(score.acne.total - score.acne.crease),
+        percent(crease),
+    ];
+    Picture::stacked(&[verdict_picture(width, height, verdicts), legend(width, &shares)])
+}
+
+/// The verdicts alone.
+pub fn verdict_picture(width: usize, height: usize, verdicts: &[Option<Verdict>]) -> Picture {
     let pixels = verdicts
         .iter()
         .map(|verdict| match verdict {
@@ -30,19 +44,20 @@ pub fn error_picture(width: usize, height: usize, verdicts: &[Option<Verdict>], 
             Some(_) => SHADOWED,
         })
         .collect();
-    Picture::stacked(&[Picture { width, height, pixels }, legend(width, score)])
+    Picture { width, height, pixels }
 }
 
-fn legend(width: usize, score: &Score) -> Picture {
-    let percent = |share: f64| format!("{:.3} %", 100.0 * share);
-    let crease = score.leak.crease + score.acne.crease;
-    let entries = [
-        (LIT, "lit".to_owned()),
-        (SHADOWED, "shadowed".to_owned()),
-        (LEAK, format!("leak {}", percent(score.leak.total - score.leak.crease))),
-        (ACNE, format!("acne {}", percent(score.acne.total - score.acne.crease))),
-        (CREASE, format!("crease {}", percent(crease))),
-    ];
+/// Of the verdicts under a smaller pixel, one that is wrong if there is any, else the middle one.
+pub fn worst_verdict(colours: &[Colour]) -> Colour {
+    let wrong = [LEAK, ACNE, CREASE].into_iter().find(|wrong| colours.contains(wrong));
+    wrong.or_else(|| colours.get(colours.len() / 2).copied()).unwrap_or(SKY)
+}
+
+/// What the colours of verdicts mean, each followed by a text.
+pub fn legend(width: usize, texts: &[String; 5]) -> Picture {
+    let names = [(LIT, "lit"), (SHADOWED, "shadowed"), (LEAK, "leak"), (ACNE, "acne"), (CREASE, "crease")];
+    let entries: Vec<_> =
+        names.iter().zip(texts).map(|((colour, name), text)| (*colour, format!("{name}{text}"))).collect();
 
     // Break the entries into lines that fit.
     let mut places = Vec::new();
@@ -83,5 +98,8 @@ mod tests {
         let picture = error_picture(8, 1, &verdicts, &Score::default());
         assert_eq!(&picture.pixels[..8], &[LIT, SHADOWED, LEAK, ACNE, CREASE, CREASE, SHADOWED, SKY]);
         assert!(picture.height > LINE_PIXELS);
+        assert_eq!(worst_verdict(&[LIT, LIT, CREASE, LIT]), CREASE);
+        assert_eq!(worst_verdict(&[CREASE, ACNE]), ACNE);
+        assert_eq!(worst_verdict(&[SHADOWED, LIT, LIT]), LIT);
     }
 }

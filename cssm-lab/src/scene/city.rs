@@ -1,11 +1,12 @@
 //! `city`: blocks of buildings over a square kilometre. Every shape is a closed solid with outward faces; windows
 //! stand out of the walls as small boxes, so shadow edges are everywhere and at every scale.
 
-use cssm_core::glam::{DAffine3, DMat3, DVec3};
+use cssm_core::glam::DVec3;
 
+use super::place::{shaded, upright, viewpoint};
 use super::random::Random;
 use super::solid::MeshBuilder;
-use super::{Instance, Mesh, Scene, Viewpoint};
+use super::{Instance, Mesh, Scene};
 
 const BLOCKS_PER_SIDE: i32 = 13;
 const BLOCK_METRES: f64 = 80.0;
@@ -64,38 +65,16 @@ pub(super) fn scene() -> Scene {
         }
     }
 
-    let view = |eye: [f64; 3], target: [f64; 3], light: [f64; 3]| Viewpoint {
-        eye_world: eye.into(),
-        target_world: target.into(),
-        light_travels: light.into(),
-    };
     let views = vec![
-        view([42.0, 9.0, 128.0], [36.0, 5.5, 40.0], [-0.55, -0.6, -0.35]),
-        view([-41.0, 1.9, 118.0], [-40.0, 2.5, 0.0], [0.7, -0.6, -0.15]),
-        view([122.0, 22.0, 168.0], [60.0, 2.0, 90.0], [-0.5, -0.6, -0.35]),
+        viewpoint([42.0, 9.0, 128.0], [36.0, 5.5, 40.0], [-0.55, -0.6, -0.35]),
+        viewpoint([-41.0, 1.9, 118.0], [-40.0, 2.5, 0.0], [0.7, -0.6, -0.15]),
+        viewpoint([122.0, 22.0, 168.0], [60.0, 2.0, 90.0], [-0.5, -0.6, -0.35]),
     ];
     Scene { name: "city".to_owned(), meshes, instances, views }
 }
 
 fn put(instances: &mut Vec<Instance>, mesh: usize, place: DVec3, turn_radians: f64, colour: [f32; 3]) {
-    put_scaled(instances, mesh, place, turn_radians, 1.0, colour);
-}
-
-fn put_scaled(
-    instances: &mut Vec<Instance>,
-    mesh: usize,
-    place: DVec3,
-    turn_radians: f64,
-    size: f64,
-    colour: [f32; 3],
-) {
-    let (sin, cos) = libm::sincos(turn_radians);
-    let turn = DMat3::from_cols(DVec3::new(cos, 0.0, -sin), DVec3::Y, DVec3::new(sin, 0.0, cos)) * size;
-    instances.push(Instance {
-        mesh,
-        world_from_object: DAffine3 { matrix3: turn, translation: place },
-        colour,
-    });
+    instances.push(upright(mesh, place, turn_radians, 1.0, colour));
 }
 
 /// Lamps along the kerb of all four sides, cars on two of the streets.
@@ -129,9 +108,9 @@ fn plant_park(instances: &mut Vec<Instance>, centre: DVec3, random: &mut Random)
 
 fn plant(instances: &mut Vec<Instance>, foot: DVec3, random: &mut Random) {
     let mesh = if random.below(2) == 0 { CONIFER } else { BROADLEAF };
-    let shade = random.between(0.8, 1.25) as f32;
+    let colour = shaded(TREE, random.between(0.8, 1.25));
     let turn = random.between(0.0, std::f64::consts::TAU);
-    put_scaled(instances, mesh, foot, turn, random.between(0.7, 1.3), TREE.map(|channel| channel * shade));
+    instances.push(upright(mesh, foot, turn, random.between(0.7, 1.3), colour));
 }
 
 /// One building in each quarter of the block, and trees between them.

@@ -7,8 +7,9 @@ use cssm_core::glam::{DAffine3, DMat4, DVec3};
 use gltf::accessor::Dimensions;
 use gltf::mesh::Mode;
 
+use super::gltf_mask::read_mask;
 use super::gltf_read::read;
-use super::{Instance, Mesh, Scene, Viewpoint};
+use super::{BUILT_IN, Instance, Mesh, Scene, Viewpoint};
 
 /// Required extensions that do not change which triangles a file holds, or that are read.
 const SUPPORTED_EXTENSIONS: &[&str] = &[
@@ -30,7 +31,7 @@ const PLAIN: [f32; 3] = [0.55, 0.55, 0.55];
 #[derive(Debug, thiserror::Error)]
 pub enum SceneFileError {
     /// Not a built-in name and not a glTF file name.
-    #[error("there is no scene {name}; name palm, city, or a .gltf or .glb file")]
+    #[error("there is no scene {name}; name {}, or a .gltf or .glb file", BUILT_IN.join(", "))]
     Unknown {
         /// What was asked for.
         name: String,
@@ -70,6 +71,14 @@ pub enum SceneFileError {
     Accessor {
         /// Index of the accessor.
         accessor: usize,
+        /// What is wrong.
+        why: String,
+    },
+    /// An image cannot be decoded.
+    #[error("image {image} cannot be used as an alpha mask: {why}; re-export it as PNG")]
+    Image {
+        /// Index of the image.
+        image: usize,
         /// What is wrong.
         why: String,
     },
@@ -164,7 +173,7 @@ fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileErro
     for mesh in document.meshes() {
         let first = meshes.len();
         for primitive in mesh.primitives() {
-            meshes.push(read_primitive(&mesh, &primitive, &buffers)?);
+            meshes.push(read_primitive(&mesh, &primitive, &buffers, path)?);
         }
         mesh_primitives.push(first..meshes.len());
     }
@@ -254,7 +263,8 @@ fn load_buffers(
         .collect()
 }
 
-fn read_uri(uri: &str, document_path: &Path) -> Result<Vec<u8>, String> {
+/// Bytes of a data address or of a file beside the document.
+pub(super) fn read_uri(uri: &str, document_path: &Path) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (_, text) = data.split_once(";base64,").ok_or("its data address is not base64")?;
         return base64::engine::general_purpose::STANDARD.decode(text).map_err(|error| error.to_string());
@@ -287,6 +297,7 @@ fn read_primitive(
     mesh: &gltf::Mesh<'_>,
     primitive: &gltf::Primitive<'_>,
     buffers: &[Vec<u8>],
+    document_path: &Path,
 ) -> Result<Mesh, SceneFileError> {
     let (mesh_index, index) = (mesh.index(), primitive.index());
     let fail = |why| SceneFileError::Primitive { mesh: mesh_index, primitive: index, why };
@@ -330,7 +341,8 @@ fn read_primitive(
         Mode::Points => return Err(mode("points")),
         Mode::Lines | Mode::LineLoop | Mode::LineStrip => return Err(mode("lines")),
     };
-    Ok(Mesh { name: mesh.name().unwrap_or("mesh").to_owned(), positions, indices })
+    let mask = read_mask(mesh_index, primitive, positions.len(), buffers, document_path)?;
+    Ok(Mesh { name: mesh.name().unwrap_or("mesh").to_owned(), positions, indices, mask })
 }
 
 fn colour(primitive: &gltf::Primitive<'_>) -> [f32; 3] {

@@ -71,7 +71,12 @@ pub(super) fn read<const N: usize>(
 /// Largest number of elements that need no bytes in the file.
 const SPARSE_LIMIT: usize = 1 << 24;
 
-fn view_bytes<'a>(view: &gltf::buffer::View<'_>, offset: usize, buffers: &'a [Vec<u8>]) -> Option<&'a [u8]> {
+/// Bytes of a buffer view from an offset on; `None` when it leaves its buffer.
+pub(super) fn view_bytes<'a>(
+    view: &gltf::buffer::View<'_>,
+    offset: usize,
+    buffers: &'a [Vec<u8>],
+) -> Option<&'a [u8]> {
     let end = view.offset().checked_add(view.length())?;
     buffers.get(view.buffer().index())?.get(view.offset()..end)?.get(offset..)
 }

@@ -2,9 +2,10 @@
 
 use cssm_core::glam::{DAffine3, DMat3, DVec3};
 
+use super::place::{turn_about_y, viewpoint};
 use super::random::Random;
 use super::solid::MeshBuilder;
-use super::{Instance, Mesh, Scene, Viewpoint};
+use super::{Instance, Mesh, Scene};
 
 const PALMS: [(f64, f64, f64); 4] =
     [(0.0, 0.0, 1.0), (6.5, -7.0, 1.25), (-8.0, -12.0, 1.1), (-3.5, 9.0, 0.8)];
@@ -59,15 +60,10 @@ pub(super) fn scene() -> Scene {
         }
     }
 
-    let view = |eye: [f64; 3], target: [f64; 3], light: [f64; 3]| Viewpoint {
-        eye_world: eye.into(),
-        target_world: target.into(),
-        light_travels: light.into(),
-    };
     let views = vec![
-        view([8.5, 3.6, 9.5], [-2.5, 1.6, -3.0], [-0.45, -0.5, 0.35]),
-        view([-16.0, 9.0, 6.0], [0.0, 1.0, -3.0], [0.3, -0.8, 0.6]),
-        view([2.0, 1.7, 24.0], [-1.0, 2.5, 0.0], [0.35, -0.5, 0.8]),
+        viewpoint([8.5, 3.6, 9.5], [-2.5, 1.6, -3.0], [-0.45, -0.5, 0.35]),
+        viewpoint([-16.0, 9.0, 6.0], [0.0, 1.0, -3.0], [0.3, -0.8, 0.6]),
+        viewpoint([2.0, 1.7, 24.0], [-1.0, 2.5, 0.0], [0.35, -0.5, 0.8]),
     ];
     Scene { name: "palm".to_owned(), meshes, instances, views }
 }
@@ -121,11 +117,6 @@ fn frond(shape: usize, random: &mut Random) -> Mesh {
         }
     }
     builder.build(format!("frond {shape}"))
-}
-
-fn turn_about_y(radians: f64) -> DMat3 {
-    let (sin, cos) = libm::sincos(radians);
-    DMat3::from_cols(DVec3::new(cos, 0.0, -sin), DVec3::Y, DVec3::new(sin, 0.0, cos))
 }
 
 fn turn_about_z(radians: f64) -> DMat3 {

@@ -1,4 +1,4 @@
-//! Closed solids with outward faces: boxes, prisms, cones, bent tubes.
+//! Closed solids with outward faces: boxes, beams, prisms, cones, bent tubes, lumps.
 
 use cssm_core::glam::DVec3;
 
@@ -16,7 +16,7 @@ impl MeshBuilder {
     }
 
     pub(crate) fn build(self, name: impl Into<String>) -> Mesh {
-        Mesh { name: name.into(), positions: self.positions, indices: self.indices }
+        Mesh { name: name.into(), positions: self.positions, indices: self.indices, mask: None }
     }
 
     /// A single triangle, counter-clockwise from outside.
@@ -38,12 +38,51 @@ impl MeshBuilder {
             DVec3::new(pick(x, min.x, max.x), pick(y, min.y, max.y), pick(z, min.z, max.z))
         };
         let [o, i] = [false, true];
-        self.quad([corner(o, o, i), corner(i, o, i), corner(i, i, i), corner(o, i, i)]);
-        self.quad([corner(i, o, o), corner(o, o, o), corner(o, i, o), corner(i, i, o)]);
-        self.quad([corner(i, o, i), corner(i, o, o), corner(i, i, o), corner(i, i, i)]);
-        self.quad([corner(o, o, o), corner(o, o, i), corner(o, i, i), corner(o, i, o)]);
-        self.quad([corner(o, i, i), corner(i, i, i), corner(i, i, o), corner(o, i, o)]);
-        self.quad([corner(o, o, o), corner(i, o, o), corner(i, o, i), corner(o, o, i)]);
+        self.hexahedron([
+            corner(o, o, o),
+            corner(i, o, o),
+            corner(o, i, o),
+            corner(i, i, o),
+            corner(o, o, i),
+            corner(i, o, i),
+            corner(o, i, i),
+            corner(i, i, i),
+        ]);
+    }
+
+    /// A bent box: 12 triangles. The corners run along x first, then y, then z, of any right-handed axes.
+    pub(crate) fn hexahedron(&mut self, corners: [DVec3; 8]) {
+        for side in [[4, 5, 7, 6], [1, 0, 2, 3], [5, 1, 3, 7], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]] {
+            self.quad(side.map(|corner: usize| corners[corner]));
+        }
+    }
+
+    /// A straight beam with a rectangular section, upright as far as its direction allows: 12 triangles.
+    pub(crate) fn beam(&mut self, from: DVec3, to: DVec3, width: f64, height: f64) {
+        let along = (to - from).normalize_or(DVec3::Y);
+        let across = along.cross(DVec3::Y).normalize_or(DVec3::X);
+        let (across, up) = (across * (0.5 * width), across.cross(along) * (0.5 * height));
+        let ends = [(from, -across, -up), (from, across, -up), (from, -across, up), (from, across, up)];
+        let near = ends.map(|(end, across, up)| end + across + up);
+        let far = near.map(|corner| corner + (to - from));
+        // Across, up and back along the beam are right-handed: the far end comes first.
+        self.hexahedron([far[0], far[1], far[2], far[3], near[0], near[1], near[2], near[3]]);
+    }
+
+    /// A lump: the surface of the cube [-1, 1], each side in `cells` times `cells` squares, moved by a map that
+    /// keeps its sides outward: `12 * cells * cells` triangles.
+    pub(crate) fn lump(&mut self, cells: u32, moved: impl Fn(DVec3) -> DVec3) {
+        let at = |step: u32| 2.0 * f64::from(step) / f64::from(cells) - 1.0;
+        let sides = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|axis| [axis, -axis]);
+        for outward in sides {
+            let along = DVec3::new(outward.y, outward.z, outward.x);
+            let across = outward.cross(along);
+            for cell in 0..cells * cells {
+                let (column, row) = (cell % cells, cell / cells);
+                let corner = |u: u32, v: u32| moved(outward + along * at(column + u) + across * at(row + v));
+                self.quad([corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)]);
+            }
+        }
     }
 
     /// An upright frustum of a cone with flat ends; a radius of zero closes in a point. `sides` quads (or
@@ -146,6 +185,22 @@ mod tests {
         let mesh = builder.build("box");
         assert_eq!(mesh.triangles(), 12);
         assert!((volume(&mesh) - 6.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn beams_and_lumps_face_outward() {
+        let mut builder = MeshBuilder::new();
+        builder.beam(DVec3::new(1.0, 2.0, 3.0), DVec3::new(3.0, 3.0, 5.0), 0.5, 2.0);
+        assert!((volume(&builder.build("beam")) - 3.0).abs() < 1e-5);
+        let mut builder = MeshBuilder::new();
+        builder.beam(DVec3::ZERO, DVec3::Y * 3.0, 0.5, 2.0);
+        assert!((volume(&builder.build("post")) - 3.0).abs() < 1e-5);
+        let mut builder = MeshBuilder::new();
+        builder.lump(16, |point| point.normalize() * 2.0 + DVec3::X);
+        let mesh = builder.build("ball");
+        assert_eq!(mesh.triangles(), 12 * 256);
+        let exact = 4.0 / 3.0 * std::f64::consts::PI * 8.0;
+        assert!((volume(&mesh) / exact - 1.0).abs() < 0.01, "{}", volume(&mesh));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 use cssm_core::glam::DAffine3;
 
 use super::*;
-use crate::scene::{Instance, Mesh, Scene};
+use crate::scene::{AlphaMask, Instance, Mesh, Scene};
 
 fn scene(meshes: Vec<Mesh>, places: &[(usize, DVec3)]) -> Scene {
     let instances = places
@@ -20,6 +20,7 @@ fn quad(size: f32) -> Mesh {
         name: "quad".to_owned(),
         positions: vec![[-size, 0.0, -size], [-size, 0.0, size], [size, 0.0, size], [size, 0.0, -size]],
         indices: vec![0, 1, 2, 0, 2, 3],
+        mask: None,
     }
 }
 
@@ -72,6 +73,53 @@ fn both_sides_of_a_sheet_cast_and_are_seen() {
     assert!(frame.visible().any(|(_, pixel)| pixel.instance == 1 && pixel.lit));
     assert!(frame.visible().any(|(_, pixel)| pixel.instance == 0 && !pixel.lit));
     assert!(frame.visible().all(|(_, pixel)| pixel.normal.dot(pixel.position) < 0.0));
+}
+
+/// A sheet of four squares one metre over the ground, two of which are holes: those where x and z have one sign.
+fn checked_sheet_over_ground() -> Scene {
+    let mask = AlphaMask {
+        uvs: vec![[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]],
+        width: 2,
+        height: 2,
+        alpha: vec![10, 255, 255, 10],
+        cutoff: 0.5,
+    };
+    let sheet = Mesh { mask: Some(mask), ..quad(1.0) };
+    scene(vec![quad(50.0), sheet], &[(0, DVec3::ZERO), (1, DVec3::Y)])
+}
+
+#[test]
+fn holes_neither_cast_nor_are_seen() {
+    let masked = checked_sheet_over_ground();
+    let mut whole = masked.clone();
+    whole.meshes[1].mask = None;
+    let view = view(DVec3::new(0.0, 6.0, 6.0), DVec3::ZERO);
+    let traced = |scene: &Scene| Frame::trace(&Tracer::new(scene), &view, &light(1.0, -1.0, 0.0), &|_| {});
+    let hole = |x: f64, z: f64| x.abs() < 1.0 && z.abs() < 1.0 && (x > 0.0) == (z > 0.0);
+
+    let mut seen = [0, 0];
+    for (_, pixel) in traced(&masked).visible() {
+        let point = view.eye_world + pixel.position;
+        if pixel.instance == 1 {
+            assert!(!hole(point.x, point.z), "the hole at {point} is seen");
+            seen[1] += 1;
+            continue;
+        }
+        // The shadow lies one metre along x; what is over a hole is lit.
+        let (x, z) = (point.x - 1.0, point.z);
+        let clear = (x.abs() - 1.0).abs().min((z.abs() - 1.0).abs()).min(x.abs()).min(z.abs()) > 1e-6;
+        if clear {
+            assert_eq!(pixel.lit, x.abs() > 1.0 || z.abs() > 1.0 || hole(x, z), "at {point}");
+            seen[0] += usize::from(!pixel.lit);
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 25), "{seen:?}");
+
+    // Without its mask the sheet shows and casts twice as much.
+    let whole = traced(&whole);
+    let shadowed = whole.visible().filter(|(_, pixel)| pixel.instance == 0 && !pixel.lit).count();
+    let sheet = whole.visible().filter(|(_, pixel)| pixel.instance == 1).count();
+    assert!(2 * shadowed > 3 * seen[0] && 2 * sheet > 3 * seen[1], "{shadowed} {sheet} against {seen:?}");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Nearest hits and any hits among all triangles of a scene.
+//! Nearest hits and any hits among all triangles of a scene; rays pass through the holes of alpha masks.
 
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::BHShape;
@@ -6,6 +6,7 @@ use bvh::bvh::{Bvh, BvhNode, rayon_executor};
 use cssm_core::glam::DVec3;
 use nalgebra::Point3;
 
+use super::cutouts::Cutouts;
 use super::triangle::Triangle;
 use crate::scene::Scene;
 
@@ -13,6 +14,7 @@ use crate::scene::Scene;
 pub struct Tracer {
     triangles: Vec<Triangle>,
     instances: Vec<u32>,
+    cutouts: Cutouts,
     nodes: Vec<Node>,
 }
 
@@ -62,6 +64,7 @@ impl Tracer {
         // Place the triangles; those without area can neither be seen nor cast.
         let mut triangles = Vec::with_capacity(scene.triangles());
         let mut instances = Vec::with_capacity(scene.triangles());
+        let mut cutouts = Cutouts::new(scene);
         for (index, instance) in scene.instances.iter().enumerate() {
             let mesh = &scene.meshes[instance.mesh];
             for corners in mesh.indices.chunks_exact(3) {
@@ -74,6 +77,7 @@ impl Tracer {
                 if triangle.edges[0].cross(triangle.edges[1]).length_squared() > 0.0 {
                     triangles.push(triangle);
                     instances.push(index as u32);
+                    cutouts.push(instance.mesh, mesh, corners);
                 }
             }
         }
@@ -83,7 +87,7 @@ impl Tracer {
             triangles.iter().map(|triangle| Shape { bounds: bounds(triangle), node: 0 }).collect();
         let bvh = Bvh::build_with_executor(&mut shapes, rayon_executor);
         let nodes = bvh.nodes.iter().map(copied).collect();
-        Self { triangles, instances, nodes }
+        Self { triangles, instances, cutouts, nodes }
     }
 
     /// Number of triangles with an area.
@@ -119,8 +123,8 @@ impl Tracer {
             let limit = best.map_or(end, |hit| hit.distance);
             match &self.nodes[index as usize] {
                 Node::Leaf { triangle } => {
-                    let hit = self.triangles[*triangle as usize].hit(origin, direction);
-                    if let Some(distance) = hit.filter(|distance| *distance >= start && *distance < limit) {
+                    let within = |distance: f64| distance >= start && distance < limit;
+                    if let Some(distance) = self.hit(*triangle, origin, direction, within) {
                         best = Some(Hit { distance, triangle: *triangle });
                     }
                 }
@@ -154,8 +158,8 @@ impl Tracer {
         while let Some(index) = stack.pop() {
             match &self.nodes[index as usize] {
                 Node::Leaf { triangle } => {
-                    let hit = self.triangles[*triangle as usize].hit(origin, direction);
-                    if *triangle != except && hit.is_some_and(|distance| distance > start) {
+                    let beyond = |distance: f64| *triangle != except && distance > start;
+                    if self.hit(*triangle, origin, direction, beyond).is_some() {
                         return true;
                     }
                 }
@@ -169,6 +173,20 @@ impl Tracer {
             }
         }
         false
+    }
+
+    /// Ray parameter at which a triangle stops a ray, if `counts` holds for it.
+    #[inline]
+    fn hit(
+        &self,
+        triangle: u32,
+        origin: DVec3,
+        direction: DVec3,
+        counts: impl Fn(f64) -> bool,
+    ) -> Option<f64> {
+        let meeting = self.triangles[triangle as usize].hit(origin, direction)?;
+        let stops = counts(meeting.distance) && !self.cutouts.is_hole(triangle, meeting.weights);
+        stops.then_some(meeting.distance)
     }
 }
 
@@ -222,17 +240,18 @@ fn bounds(triangle: &Triangle) -> Aabb<f64, 3> {
 impl Tracer {
     /// [`Self::nearest`] without the hierarchy.
     pub(super) fn nearest_tried(&self, origin: DVec3, direction: DVec3, start: f64) -> Option<Hit> {
-        let hits = self.triangles.iter().enumerate().filter_map(|(index, triangle)| {
-            let distance = triangle.hit(origin, direction).filter(|distance| *distance >= start)?;
-            Some(Hit { distance, triangle: index as u32 })
+        let hits = (0..self.triangles.len() as u32).filter_map(|triangle| {
+            let distance = self.hit(triangle, origin, direction, |distance| distance >= start)?;
+            Some(Hit { distance, triangle })
         });
         hits.min_by(|one, two| one.distance.total_cmp(&two.distance))
     }
 
     /// [`Self::blocked`] without the hierarchy.
     pub(super) fn blocked_tried(&self, origin: DVec3, direction: DVec3, start: f64, except: u32) -> bool {
-        self.triangles.iter().enumerate().any(|(index, triangle)| {
-            index as u32 != except && triangle.hit(origin, direction).is_some_and(|distance| distance > start)
+        (0..self.triangles.len() as u32).any(|triangle| {
+            let beyond = |distance: f64| triangle != except && distance > start;
+            self.hit(triangle, origin, direction, beyond).is_some()
         })
     }
 }

@@ -1,7 +1,10 @@
 //! Command lists without a device.
 
+use cssm_core::choose::{ChoiceReason, ConfigurationChoice};
 use cssm_core::facet::{Facet, FacetRows, Selection, Tile};
-use cssm_core::glam::{DAffine3, DMat3, DVec3, DVec4};
+use cssm_core::glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
+use cssm_core::light::LightPosition;
+use cssm_core::plan::DepthOrder;
 use cssm_core::{BoundingBox, ShadowPlan};
 
 use super::*;
@@ -48,7 +51,17 @@ fn facet(index: u32, low: f64, high: f64) -> Facet {
 fn plan(facets: Vec<Facet>) -> ShadowPlan {
     ShadowPlan {
         configuration: "by hand",
+        choice: ConfigurationChoice {
+            position: LightPosition::General,
+            configuration: "by hand",
+            reason: ChoiceReason::Only,
+            predictions: Vec::new(),
+            made_for_position: Vec::new(),
+        },
         eye_world: EYE,
+        camera_from_world: DMat3::IDENTITY,
+        shear: DVec2::ZERO,
+        depth_order: DepthOrder::Standard,
         light: DVec4::Z,
         map_size_texels: (100, 20),
         selection: Selection { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands: 1 },
@@ -139,6 +152,28 @@ fn the_eye_is_subtracted_before_rounding() {
     let (frame, _) =
         FrameCommands::build(&plan(vec![facet(0, 0.0, 10.0)]), &[at(0, 1.000_001)], facts).unwrap();
     assert!((f64::from(frame.rows[0].0[0][3]) - 1.000_001).abs() < 1e-6);
+}
+
+#[test]
+fn rows_are_in_camera_axes_and_culling_is_not() {
+    // A camera that looks along world x, with y up: camera x is world z, camera z is world -x.
+    let camera_from_world = DMat3::from_cols(DVec3::NEG_Z, DVec3::Y, DVec3::X);
+    let shear = DVec2::new(0.5, -2.0);
+    let plan = ShadowPlan { camera_from_world, shear, ..plan(vec![facet(0, 0.0, 10.0)]) };
+    let turn = DMat3::from_rotation_y(0.3) * 2.0;
+    let place = DAffine3 { matrix3: turn, translation: EYE + DVec3::new(9.0, 1.0, 2.0) };
+    let caster = CasterInstance { mesh: handle(0), world_from_object: place };
+    let (frame, statistics) = FrameCommands::build(&plan, &[caster, at(0, -9.0)], facts).unwrap();
+    assert_eq!(statistics.instances, 1, "the facet's own range of x is the world's");
+
+    let rows = frame.rows[0].0.map(|row| DVec4::from_array(row.map(f64::from)));
+    let object = DVec3::new(0.5, -0.25, 1.0);
+    let from_eye = place.transform_point3(object) - EYE;
+    let seen = camera_from_world * from_eye;
+    assert!((seen - DVec3::new(from_eye.z, from_eye.y, -from_eye.x)).length() < 1e-9);
+    let expected = seen + (shear * seen.z).extend(0.0);
+    let device = DVec3::from_array(rows.map(|row| row.dot(object.extend(1.0))));
+    assert!(device.distance(expected) < 1e-6, "{device} for {expected}");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-// Generated from light case `Pssm4Log`, 679958304d6e33a2. Do not edit.
+// Generated from light case `Pssm4Log`, bdafd8e67511353c. Do not edit.
 
 /// Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 /// measure that other cases are compared with at equal texels.
@@ -37,6 +37,8 @@ pub mod pssm_log {
             },
             filter: Filter::Gather2x2,
             bias: Bias::ReceiverPlane,
+            casters: Casters::Opaque,
+            axes: Axes::Camera,
             resolve: Vec::from([
                 Resolve::Mask {
                     depth: MaskDepth::ReversedZ,
@@ -69,7 +71,7 @@ pub mod pssm_log {
         pub row_x: [f32; 4],
         /// Clip y of the tile, upwards.
         pub row_y: [f32; 4],
-        /// Clip z, growing away from the light.
+        /// Clip z: depth along the light times w.
         pub row_z: [f32; 4],
         /// Clip w, positive on receivers.
         pub row_w: [f32; 4],
@@ -119,7 +121,7 @@ pub mod pssm_log {
         assert!(::core::mem::offset_of!(PssmLogShadow, thresholds) == 16);
         assert!(::core::mem::offset_of!(PssmLogShadow, facets) == 32);
     };
-    /// What capturing needs of one facet: its matrix, row by row.
+    /// What capturing needs of one facet, in camera axes: its matrix, row by row.
     #[derive(
         Clone,
         Copy,
@@ -135,7 +137,7 @@ pub mod pssm_log {
         pub row_x: [f32; 4],
         /// Clip y of the tile, upwards.
         pub row_y: [f32; 4],
-        /// Clip z, growing away from the light.
+        /// Clip z: depth along the light times w.
         pub row_z: [f32; 4],
         /// Clip w, positive on receivers.
         pub row_w: [f32; 4],
@@ -160,7 +162,7 @@ pub mod pssm_log {
     #[bytemuck(crate = "::cssm::bytemuck")]
     #[repr(C)]
     pub struct PssmLogMask {
-        /// Direction through the image's upper left corner, depth 1, world axes.
+        /// Direction through the image's upper left corner, depth 1, in the case's axes.
         pub ray_corner: [f32; 4],
         /// Change of that direction across the whole image.
         pub ray_across: [f32; 4],
@@ -183,17 +185,21 @@ pub mod pssm_log {
     pub static TABLE: ::cssm::core::table::CaseTable = tables::TABLE;
     mod tables {
         use ::std::borrow::Cow;
-        use ::cssm::core::case::DepthFormat;
+        use ::cssm::core::case::{Axes, DepthFormat};
         use ::cssm::core::table::*;
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Pssm4Log"),
             prefix: Cow::Borrowed("pssm_log"),
-            fingerprint: 0x679958304d6e33a2,
+            fingerprint: 0xbdafd8e67511353c,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
             sectors: 1,
             bands: 4,
+            clips: 0,
+            may_reverse_depth: false,
+            axes: Axes::Camera,
+            shears: false,
             fetches_per_pixel: 1,
             constants: Cow::Borrowed(CONSTANTS),
             records: Cow::Borrowed(RECORDS),
@@ -551,17 +557,18 @@ pub mod pssm_log {
     }
     /// WGSL of the capture shader.
     pub const CAPTURE_WGSL: &str = r#"// Pssm4Log: renders casters into one tile of the shadow map; needs unclipped depth.
+// Positions are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 679958304d6e33a2. Do not edit.
+// Generated from light case `Pssm4Log`, bdafd8e67511353c. Do not edit.
 
-/// What capturing needs of one facet: its matrix, row by row.
+/// What capturing needs of one facet, in camera axes: its matrix, row by row.
 struct PssmLogCapture {
     /// Clip x of the tile, to the right.
     row_x: vec4<f32>,
     /// Clip y of the tile, upwards.
     row_y: vec4<f32>,
-    /// Clip z, growing away from the light.
+    /// Clip z: depth along the light times w.
     row_z: vec4<f32>,
     /// Clip w, positive on receivers.
     row_w: vec4<f32>,
@@ -571,49 +578,62 @@ struct PssmLogCapture {
 @group(0) @binding(0)
 var<uniform> pssm_log_capture: PssmLogCapture;
 
-/// Places a caster's vertex in the tile.
-///
-/// The instance rows take an object-space point to world axes relative to the eye, so no world coordinate is large.
-@vertex
-fn pssm_log_capture_vertex(
+/// A vertex of a caster.
+struct PssmLogCasterVertex {
+    /// Position in the object's own space.
     @location(0) position: vec3<f32>,
+    /// First of the instance's rows; they take the object's space to camera axes relative to the eye.
     @location(1) eye_from_object_x: vec4<f32>,
+    /// Second row.
     @location(2) eye_from_object_y: vec4<f32>,
+    /// Third row.
     @location(3) eye_from_object_z: vec4<f32>,
-) -> @builtin(position) vec4<f32> {
-    // Move the vertex from its object to the eye.
-    let object = vec4<f32>(position, 1.0);
-    let caster = vec4<f32>(
-        dot(eye_from_object_x, object),
-        dot(eye_from_object_y, object),
-        dot(eye_from_object_z, object),
+}
+
+/// Moves a vertex from its object to the eye, into camera axes (x right, y up, looking along -z): no coordinate is
+/// large that the view shows small.
+fn pssm_log_camera_position(vertex: PssmLogCasterVertex) -> vec4<f32> {
+    let object = vec4<f32>(vertex.position, 1.0);
+    return vec4<f32>(
+        dot(vertex.eye_from_object_x, object),
+        dot(vertex.eye_from_object_y, object),
+        dot(vertex.eye_from_object_z, object),
         1.0,
     );
+}
 
-    // Apply the facet's matrix, row by row.
+/// Applies the facet's matrix, row by row, to a position in camera axes.
+fn pssm_log_tile_position(position: vec4<f32>) -> vec4<f32> {
     return vec4<f32>(
-        dot(pssm_log_capture.row_x, caster),
-        dot(pssm_log_capture.row_y, caster),
-        dot(pssm_log_capture.row_z, caster),
-        dot(pssm_log_capture.row_w, caster),
+        dot(pssm_log_capture.row_x, position),
+        dot(pssm_log_capture.row_y, position),
+        dot(pssm_log_capture.row_z, position),
+        dot(pssm_log_capture.row_w, position),
     );
+}
+
+/// Places a caster's vertex in the tile.
+@vertex
+fn pssm_log_capture_vertex(vertex: PssmLogCasterVertex) -> @builtin(position) vec4<f32> {
+    return pssm_log_tile_position(pssm_log_camera_position(vertex));
 }
 "#;
     /// SPIR-V of the capture shader, little-endian words.
-    pub const CAPTURE_SPIRV: &[u8] = b"\x03\x02#\x07\0\x03\x01\0\x1C\0\0\x005\0\0\0\0\0\0\0\x11\0\x02\0\x01\0\0\0\x0B\0\x06\0\x01\0\0\0GLSL.std.450\0\0\0\0\x0E\0\x03\0\0\0\0\0\x01\0\0\0\x0F\0\x0E\0\0\0\0\0\x17\0\0\0pssm_log_capture_vertex\0\x0B\0\0\0\x0E\0\0\0\x11\0\0\0\x13\0\0\0\x15\0\0\0H\0\x05\0\x05\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x05\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x05\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x05\0\0\0\x03\0\0\0#\0\0\x000\0\0\0G\0\x04\0\x07\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x07\0\0\0!\0\0\0\0\0\0\0G\0\x03\0\x08\0\0\0\x02\0\0\0H\0\x05\0\x08\0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\0\x0B\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\0\x0E\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0\x11\0\0\0\x1E\0\0\0\x02\0\0\0G\0\x04\0\x13\0\0\0\x1E\0\0\0\x03\0\0\0G\0\x04\0\x15\0\0\0\x0B\0\0\0\0\0\0\0\x13\0\x02\0\x02\0\0\0\x16\0\x03\0\x04\0\0\0 \0\0\0\x17\0\x04\0\x03\0\0\0\x04\0\0\0\x04\0\0\0\x1E\0\x06\0\x05\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x17\0\x04\0\x06\0\0\0\x04\0\0\0\x03\0\0\0\x1E\0\x03\0\x08\0\0\0\x05\0\0\0 \0\x04\0\t\0\0\0\x02\0\0\0\x08\0\0\0;\0\x04\0\t\0\0\0\x07\0\0\0\x02\0\0\0 \0\x04\0\x0C\0\0\0\x01\0\0\0\x06\0\0\0;\0\x04\0\x0C\0\0\0\x0B\0\0\0\x01\0\0\0 \0\x04\0\x0F\0\0\0\x01\0\0\0\x03\0\0\0;\0\x04\0\x0F\0\0\0\x0E\0\0\0\x01\0\0\0;\0\x04\0\x0F\0\0\0\x11\0\0\0\x01\0\0\0;\0\x04\0\x0F\0\0\0\x13\0\0\0\x01\0\0\0 \0\x04\0\x16\0\0\0\x03\0\0\0\x03\0\0\0;\0\x04\0\x16\0\0\0\x15\0\0\0\x03\0\0\0!\0\x03\0\x18\0\0\0\x02\0\0\0 \0\x04\0\x19\0\0\0\x02\0\0\0\x05\0\0\0\x15\0\x04\0\x1B\0\0\0 \0\0\0\0\0\0\0+\0\x04\0\x1B\0\0\0\x1A\0\0\0\0\0\0\0+\0\x04\0\x04\0\0\0\x1D\0\0\0\0\0\x80? \0\x04\0$\0\0\0\x02\0\0\0\x03\0\0\0+\0\x04\0\x1B\0\0\0(\0\0\0\x01\0\0\0+\0\x04\0\x1B\0\0\0,\0\0\0\x02\0\0\0+\0\x04\0\x1B\0\0\x000\0\0\0\x03\0\0\x006\0\x05\0\x02\0\0\0\x17\0\0\0\0\0\0\0\x18\0\0\0\xF8\0\x02\0\n\0\0\0=\0\x04\0\x06\0\0\0\r\0\0\0\x0B\0\0\0=\0\x04\0\x03\0\0\0\x10\0\0\0\x0E\0\0\0=\0\x04\0\x03\0\0\0\x12\0\0\0\x11\0\0\0=\0\x04\0\x03\0\0\0\x14\0\0\0\x13\0\0\0A\0\x05\0\x19\0\0\0\x1C\0\0\0\x07\0\0\0\x1A\0\0\0\xF9\0\x02\0\x1E\0\0\0\xF8\0\x02\0\x1E\0\0\0P\0\x05\0\x03\0\0\0\x1F\0\0\0\r\0\0\0\x1D\0\0\0\x94\0\x05\0\x04\0\0\0 \0\0\0\x10\0\0\0\x1F\0\0\0\x94\0\x05\0\x04\0\0\0!\0\0\0\x12\0\0\0\x1F\0\0\0\x94\0\x05\0\x04\0\0\0\"\0\0\0\x14\0\0\0\x1F\0\0\0P\0\x07\0\x03\0\0\0#\0\0\0 \0\0\0!\0\0\0\"\0\0\0\x1D\0\0\0A\0\x05\0$\0\0\0%\0\0\0\x1C\0\0\0\x1A\0\0\0=\0\x04\0\x03\0\0\0&\0\0\0%\0\0\0\x94\0\x05\0\x04\0\0\0'\0\0\0&\0\0\0#\0\0\0A\0\x05\0$\0\0\0)\0\0\0\x1C\0\0\0(\0\0\0=\0\x04\0\x03\0\0\0*\0\0\0)\0\0\0\x94\0\x05\0\x04\0\0\0+\0\0\0*\0\0\0#\0\0\0A\0\x05\0$\0\0\0-\0\0\0\x1C\0\0\0,\0\0\0=\0\x04\0\x03\0\0\0.\0\0\0-\0\0\0\x94\0\x05\0\x04\0\0\0/\0\0\0.\0\0\0#\0\0\0A\0\x05\0$\0\0\x001\0\0\0\x1C\0\0\x000\0\0\0=\0\x04\0\x03\0\0\x002\0\0\x001\0\0\0\x94\0\x05\0\x04\0\0\x003\0\0\x002\0\0\0#\0\0\0P\0\x07\0\x03\0\0\x004\0\0\0'\0\0\0+\0\0\0/\0\0\x003\0\0\0>\0\x03\0\x15\0\0\x004\0\0\0\xFD\0\x01\08\0\x01\0";
+    pub const CAPTURE_SPIRV: &[u8] = b"\x03\x02#\x07\0\x03\x01\0\x1C\0\0\0H\0\0\0\0\0\0\0\x11\0\x02\0\x01\0\0\0\x0B\0\x06\0\x01\0\0\0GLSL.std.450\0\0\0\0\x0E\0\x03\0\0\0\0\0\x01\0\0\0\x0F\0\x0E\0\0\0\0\0B\0\0\0pssm_log_capture_vertex\x006\0\0\09\0\0\0<\0\0\0>\0\0\0@\0\0\0H\0\x05\0\x05\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x05\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x05\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x05\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x07\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x07\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x07\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x07\0\0\0\x03\0\0\0#\0\0\x000\0\0\0G\0\x04\0\x08\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x08\0\0\0!\0\0\0\0\0\0\0G\0\x03\0\t\0\0\0\x02\0\0\0H\0\x05\0\t\0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\x006\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\09\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0<\0\0\0\x1E\0\0\0\x02\0\0\0G\0\x04\0>\0\0\0\x1E\0\0\0\x03\0\0\0G\0\x04\0@\0\0\0\x0B\0\0\0\0\0\0\0\x13\0\x02\0\x02\0\0\0\x16\0\x03\0\x04\0\0\0 \0\0\0\x17\0\x04\0\x03\0\0\0\x04\0\0\0\x04\0\0\0\x1E\0\x06\0\x05\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x17\0\x04\0\x06\0\0\0\x04\0\0\0\x03\0\0\0\x1E\0\x06\0\x07\0\0\0\x06\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x1E\0\x03\0\t\0\0\0\x05\0\0\0 \0\x04\0\n\0\0\0\x02\0\0\0\t\0\0\0;\0\x04\0\n\0\0\0\x08\0\0\0\x02\0\0\0!\0\x04\0\x0E\0\0\0\x03\0\0\0\x07\0\0\0+\0\x04\0\x04\0\0\0\x0F\0\0\0\0\0\x80?!\0\x04\0\x1D\0\0\0\x03\0\0\0\x03\0\0\0 \0\x04\0\x1E\0\0\0\x02\0\0\0\x05\0\0\0\x15\0\x04\0 \0\0\0 \0\0\0\0\0\0\0+\0\x04\0 \0\0\0\x1F\0\0\0\0\0\0\0 \0\x04\0#\0\0\0\x02\0\0\0\x03\0\0\0+\0\x04\0 \0\0\0'\0\0\0\x01\0\0\0+\0\x04\0 \0\0\0+\0\0\0\x02\0\0\0+\0\x04\0 \0\0\0/\0\0\0\x03\0\0\0 \0\x04\x007\0\0\0\x01\0\0\0\x06\0\0\0;\0\x04\x007\0\0\x006\0\0\0\x01\0\0\0 \0\x04\0:\0\0\0\x01\0\0\0\x03\0\0\0;\0\x04\0:\0\0\09\0\0\0\x01\0\0\0;\0\x04\0:\0\0\0<\0\0\0\x01\0\0\0;\0\x04\0:\0\0\0>\0\0\0\x01\0\0\0 \0\x04\0A\0\0\0\x03\0\0\0\x03\0\0\0;\0\x04\0A\0\0\0@\0\0\0\x03\0\0\0!\0\x03\0C\0\0\0\x02\0\0\x006\0\x05\0\x03\0\0\0\r\0\0\0\0\0\0\0\x0E\0\0\x007\0\x03\0\x07\0\0\0\x0C\0\0\0\xF8\0\x02\0\x0B\0\0\0\xF9\0\x02\0\x10\0\0\0\xF8\0\x02\0\x10\0\0\0Q\0\x05\0\x06\0\0\0\x11\0\0\0\x0C\0\0\0\0\0\0\0P\0\x05\0\x03\0\0\0\x12\0\0\0\x11\0\0\0\x0F\0\0\0Q\0\x05\0\x03\0\0\0\x13\0\0\0\x0C\0\0\0\x01\0\0\0\x94\0\x05\0\x04\0\0\0\x14\0\0\0\x13\0\0\0\x12\0\0\0Q\0\x05\0\x03\0\0\0\x15\0\0\0\x0C\0\0\0\x02\0\0\0\x94\0\x05\0\x04\0\0\0\x16\0\0\0\x15\0\0\0\x12\0\0\0Q\0\x05\0\x03\0\0\0\x17\0\0\0\x0C\0\0\0\x03\0\0\0\x94\0\x05\0\x04\0\0\0\x18\0\0\0\x17\0\0\0\x12\0\0\0P\0\x07\0\x03\0\0\0\x19\0\0\0\x14\0\0\0\x16\0\0\0\x18\0\0\0\x0F\0\0\0\xFE\0\x02\0\x19\0\0\08\0\x01\x006\0\x05\0\x03\0\0\0\x1C\0\0\0\0\0\0\0\x1D\0\0\x007\0\x03\0\x03\0\0\0\x1B\0\0\0\xF8\0\x02\0\x1A\0\0\0A\0\x05\0\x1E\0\0\0!\0\0\0\x08\0\0\0\x1F\0\0\0\xF9\0\x02\0\"\0\0\0\xF8\0\x02\0\"\0\0\0A\0\x05\0#\0\0\0$\0\0\0!\0\0\0\x1F\0\0\0=\0\x04\0\x03\0\0\0%\0\0\0$\0\0\0\x94\0\x05\0\x04\0\0\0&\0\0\0%\0\0\0\x1B\0\0\0A\0\x05\0#\0\0\0(\0\0\0!\0\0\0'\0\0\0=\0\x04\0\x03\0\0\0)\0\0\0(\0\0\0\x94\0\x05\0\x04\0\0\0*\0\0\0)\0\0\0\x1B\0\0\0A\0\x05\0#\0\0\0,\0\0\0!\0\0\0+\0\0\0=\0\x04\0\x03\0\0\0-\0\0\0,\0\0\0\x94\0\x05\0\x04\0\0\0.\0\0\0-\0\0\0\x1B\0\0\0A\0\x05\0#\0\0\x000\0\0\0!\0\0\0/\0\0\0=\0\x04\0\x03\0\0\x001\0\0\x000\0\0\0\x94\0\x05\0\x04\0\0\x002\0\0\x001\0\0\0\x1B\0\0\0P\0\x07\0\x03\0\0\x003\0\0\0&\0\0\0*\0\0\0.\0\0\x002\0\0\0\xFE\0\x02\x003\0\0\08\0\x01\x006\0\x05\0\x02\0\0\0B\0\0\0\0\0\0\0C\0\0\0\xF8\0\x02\x004\0\0\0=\0\x04\0\x06\0\0\08\0\0\x006\0\0\0=\0\x04\0\x03\0\0\0;\0\0\09\0\0\0=\0\x04\0\x03\0\0\0=\0\0\0<\0\0\0=\0\x04\0\x03\0\0\0?\0\0\0>\0\0\0P\0\x07\0\x07\0\0\x005\0\0\08\0\0\0;\0\0\0=\0\0\0?\0\0\0A\0\x05\0\x1E\0\0\0D\0\0\0\x08\0\0\0\x1F\0\0\0\xF9\0\x02\0E\0\0\0\xF8\0\x02\0E\0\0\09\0\x05\0\x03\0\0\0F\0\0\0\r\0\0\x005\0\0\09\0\x05\0\x03\0\0\0G\0\0\0\x1C\0\0\0F\0\0\0>\0\x03\0@\0\0\0G\0\0\0\xFD\0\x01\08\0\x01\0";
     /// WGSL of the capture_clamped shader.
     pub const CAPTURE_CLAMPED_WGSL: &str = r#"// Pssm4Log: renders casters into one tile of the shadow map; clamps depth by itself.
+// Positions are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 679958304d6e33a2. Do not edit.
+// Generated from light case `Pssm4Log`, bdafd8e67511353c. Do not edit.
 
-/// What capturing needs of one facet: its matrix, row by row.
+/// What capturing needs of one facet, in camera axes: its matrix, row by row.
 struct PssmLogCapture {
     /// Clip x of the tile, to the right.
     row_x: vec4<f32>,
     /// Clip y of the tile, upwards.
     row_y: vec4<f32>,
-    /// Clip z, growing away from the light.
+    /// Clip z: depth along the light times w.
     row_z: vec4<f32>,
     /// Clip w, positive on receivers.
     row_w: vec4<f32>,
@@ -622,58 +642,82 @@ struct PssmLogCapture {
 /// The facet that is captured.
 @group(0) @binding(0)
 var<uniform> pssm_log_capture: PssmLogCapture;
+
+/// A vertex of a caster.
+struct PssmLogCasterVertex {
+    /// Position in the object's own space.
+    @location(0) position: vec3<f32>,
+    /// First of the instance's rows; they take the object's space to camera axes relative to the eye.
+    @location(1) eye_from_object_x: vec4<f32>,
+    /// Second row.
+    @location(2) eye_from_object_y: vec4<f32>,
+    /// Third row.
+    @location(3) eye_from_object_z: vec4<f32>,
+}
+
+/// Moves a vertex from its object to the eye, into camera axes (x right, y up, looking along -z): no coordinate is
+/// large that the view shows small.
+fn pssm_log_camera_position(vertex: PssmLogCasterVertex) -> vec4<f32> {
+    let object = vec4<f32>(vertex.position, 1.0);
+    return vec4<f32>(
+        dot(vertex.eye_from_object_x, object),
+        dot(vertex.eye_from_object_y, object),
+        dot(vertex.eye_from_object_z, object),
+        1.0,
+    );
+}
+
+/// Applies the facet's matrix, row by row, to a position in camera axes.
+fn pssm_log_tile_position(position: vec4<f32>) -> vec4<f32> {
+    return vec4<f32>(
+        dot(pssm_log_capture.row_x, position),
+        dot(pssm_log_capture.row_y, position),
+        dot(pssm_log_capture.row_z, position),
+        dot(pssm_log_capture.row_w, position),
+    );
+}
+
+/// A position of the tile at a depth that no clip plane meets: half way between the clipper's limits.
+fn pssm_log_hidden_depth(tile: vec4<f32>) -> vec4<f32> {
+    return vec4<f32>(tile.xy, 0.5 * tile.w, tile.w);
+}
+
+/// The depth that an unclipped capture would store, from the facet's clip z and w.
+fn pssm_log_clamped_depth(depth_times_w: f32, w: f32) -> f32 {
+    return clamp(depth_times_w / w, 0.0, 1.0);
+}
 
 /// What the vertex stage of the clamped capture hands to its fragment stage.
 struct PssmLogClampedCaster {
     /// Position in the tile, at a depth that no clip plane meets.
-    @builtin(position) clip: vec4<f32>,
+    @builtin(position) tile: vec4<f32>,
     /// Clip z of the facet: depth times w.
     @location(0) depth_times_w: f32,
     /// Clip w of the facet.
     @location(1) w: f32,
 }
 
-/// Places a caster's vertex in the tile, half way between the clipper's depth limits.
-///
-/// The instance rows take an object-space point to world axes relative to the eye, so no world coordinate is large.
+/// Places a caster's vertex in the tile, but keeps its depth for the fragment stage.
 @vertex
-fn pssm_log_capture_clamped_vertex(
-    @location(0) position: vec3<f32>,
-    @location(1) eye_from_object_x: vec4<f32>,
-    @location(2) eye_from_object_y: vec4<f32>,
-    @location(3) eye_from_object_z: vec4<f32>,
-) -> PssmLogClampedCaster {
-    // Move the vertex from its object to the eye.
-    let object = vec4<f32>(position, 1.0);
-    let caster = vec4<f32>(
-        dot(eye_from_object_x, object),
-        dot(eye_from_object_y, object),
-        dot(eye_from_object_z, object),
-        1.0,
-    );
-
-    // Apply the facet's matrix, but keep its depth for the fragment stage.
-    let w = dot(pssm_log_capture.row_w, caster);
-    var placed: PssmLogClampedCaster;
-    placed.clip = vec4<f32>(dot(pssm_log_capture.row_x, caster), dot(pssm_log_capture.row_y, caster), 0.5 * w, w);
-    placed.depth_times_w = dot(pssm_log_capture.row_z, caster);
-    placed.w = w;
-    return placed;
+fn pssm_log_capture_clamped_vertex(vertex: PssmLogCasterVertex) -> PssmLogClampedCaster {
+    let tile = pssm_log_tile_position(pssm_log_camera_position(vertex));
+    return PssmLogClampedCaster(pssm_log_hidden_depth(tile), tile.z, tile.w);
 }
 
 /// Writes the depth that an unclipped capture would store.
 @fragment
-fn pssm_log_capture_clamped_fragment(placed: PssmLogClampedCaster) -> @builtin(frag_depth) f32 {
-    return clamp(placed.depth_times_w / placed.w, 0.0, 1.0);
+fn pssm_log_capture_clamped_fragment(caster: PssmLogClampedCaster) -> @builtin(frag_depth) f32 {
+    return pssm_log_clamped_depth(caster.depth_times_w, caster.w);
 }
 "#;
     /// SPIR-V of the capture_clamped shader, little-endian words.
-    pub const CAPTURE_CLAMPED_SPIRV: &[u8] = b"\x03\x02#\x07\0\x03\x01\0\x1C\0\0\0X\0\0\0\0\0\0\0\x11\0\x02\0\x01\0\0\0\x0B\0\x06\0\x01\0\0\0GLSL.std.450\0\0\0\0\x0E\0\x03\0\0\0\0\0\x01\0\0\0\x0F\0\x12\0\0\0\0\0\x1B\0\0\0pssm_log_capture_clamped_vertex\0\x0C\0\0\0\x0F\0\0\0\x12\0\0\0\x14\0\0\0\x16\0\0\0\x18\0\0\0\x1A\0\0\0\x0F\0\x10\0\x04\0\0\0Q\0\0\0pssm_log_capture_clamped_fragment\0\0\0I\0\0\0K\0\0\0N\0\0\0P\0\0\0\x10\0\x03\0Q\0\0\0\x07\0\0\0\x10\0\x03\0Q\0\0\0\x0C\0\0\0H\0\x05\0\x05\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x05\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x05\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x05\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x06\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x06\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x06\0\0\0\x02\0\0\0#\0\0\0\x14\0\0\0G\0\x04\0\x08\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x08\0\0\0!\0\0\0\0\0\0\0G\0\x03\0\t\0\0\0\x02\0\0\0H\0\x05\0\t\0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\0\x0C\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\0\x0F\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0\x12\0\0\0\x1E\0\0\0\x02\0\0\0G\0\x04\0\x14\0\0\0\x1E\0\0\0\x03\0\0\0G\0\x04\0\x16\0\0\0\x0B\0\0\0\0\0\0\0G\0\x04\0\x18\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\0\x1A\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0I\0\0\0\x0B\0\0\0\x0F\0\0\0G\0\x04\0K\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\0N\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0P\0\0\0\x0B\0\0\0\x16\0\0\0\x13\0\x02\0\x02\0\0\0\x16\0\x03\0\x03\0\0\0 \0\0\0\x17\0\x04\0\x04\0\0\0\x03\0\0\0\x04\0\0\0\x1E\0\x06\0\x05\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x1E\0\x05\0\x06\0\0\0\x04\0\0\0\x03\0\0\0\x03\0\0\0\x17\0\x04\0\x07\0\0\0\x03\0\0\0\x03\0\0\0\x1E\0\x03\0\t\0\0\0\x05\0\0\0 \0\x04\0\n\0\0\0\x02\0\0\0\t\0\0\0;\0\x04\0\n\0\0\0\x08\0\0\0\x02\0\0\0 \0\x04\0\r\0\0\0\x01\0\0\0\x07\0\0\0;\0\x04\0\r\0\0\0\x0C\0\0\0\x01\0\0\0 \0\x04\0\x10\0\0\0\x01\0\0\0\x04\0\0\0;\0\x04\0\x10\0\0\0\x0F\0\0\0\x01\0\0\0;\0\x04\0\x10\0\0\0\x12\0\0\0\x01\0\0\0;\0\x04\0\x10\0\0\0\x14\0\0\0\x01\0\0\0 \0\x04\0\x17\0\0\0\x03\0\0\0\x04\0\0\0;\0\x04\0\x17\0\0\0\x16\0\0\0\x03\0\0\0 \0\x04\0\x19\0\0\0\x03\0\0\0\x03\0\0\0;\0\x04\0\x19\0\0\0\x18\0\0\0\x03\0\0\0;\0\x04\0\x19\0\0\0\x1A\0\0\0\x03\0\0\0!\0\x03\0\x1C\0\0\0\x02\0\0\0 \0\x04\0\x1D\0\0\0\x02\0\0\0\x05\0\0\0\x15\0\x04\0\x1F\0\0\0 \0\0\0\0\0\0\0+\0\x04\0\x1F\0\0\0\x1E\0\0\0\0\0\0\0+\0\x04\0\x03\0\0\0!\0\0\0\0\0\x80?+\0\x04\0\x03\0\0\0\"\0\0\0\0\0\0? \0\x04\0$\0\0\0\x07\0\0\0\x06\0\0\0.\0\x03\0\x06\0\0\0%\0\0\0 \0\x04\0,\0\0\0\x02\0\0\0\x04\0\0\0+\0\x04\0\x1F\0\0\0-\0\0\0\x03\0\0\0 \0\x04\x001\0\0\0\x07\0\0\0\x04\0\0\0+\0\x04\0\x1F\0\0\x005\0\0\0\x01\0\0\0 \0\x04\0<\0\0\0\x07\0\0\0\x03\0\0\0+\0\x04\0\x1F\0\0\0=\0\0\0\x02\0\0\0;\0\x04\0\x10\0\0\0I\0\0\0\x01\0\0\0 \0\x04\0L\0\0\0\x01\0\0\0\x03\0\0\0;\0\x04\0L\0\0\0K\0\0\0\x01\0\0\0;\0\x04\0L\0\0\0N\0\0\0\x01\0\0\0;\0\x04\0\x19\0\0\0P\0\0\0\x03\0\0\0+\0\x04\0\x03\0\0\0R\0\0\0\0\0\0\x006\0\x05\0\x02\0\0\0\x1B\0\0\0\0\0\0\0\x1C\0\0\0\xF8\0\x02\0\x0B\0\0\0;\0\x05\0$\0\0\0#\0\0\0\x07\0\0\0%\0\0\0=\0\x04\0\x07\0\0\0\x0E\0\0\0\x0C\0\0\0=\0\x04\0\x04\0\0\0\x11\0\0\0\x0F\0\0\0=\0\x04\0\x04\0\0\0\x13\0\0\0\x12\0\0\0=\0\x04\0\x04\0\0\0\x15\0\0\0\x14\0\0\0A\0\x05\0\x1D\0\0\0 \0\0\0\x08\0\0\0\x1E\0\0\0\xF9\0\x02\0&\0\0\0\xF8\0\x02\0&\0\0\0P\0\x05\0\x04\0\0\0'\0\0\0\x0E\0\0\0!\0\0\0\x94\0\x05\0\x03\0\0\0(\0\0\0\x11\0\0\0'\0\0\0\x94\0\x05\0\x03\0\0\0)\0\0\0\x13\0\0\0'\0\0\0\x94\0\x05\0\x03\0\0\0*\0\0\0\x15\0\0\0'\0\0\0P\0\x07\0\x04\0\0\0+\0\0\0(\0\0\0)\0\0\0*\0\0\0!\0\0\0A\0\x05\0,\0\0\0.\0\0\0 \0\0\0-\0\0\0=\0\x04\0\x04\0\0\0/\0\0\0.\0\0\0\x94\0\x05\0\x03\0\0\x000\0\0\0/\0\0\0+\0\0\0A\0\x05\0,\0\0\x002\0\0\0 \0\0\0\x1E\0\0\0=\0\x04\0\x04\0\0\x003\0\0\x002\0\0\0\x94\0\x05\0\x03\0\0\x004\0\0\x003\0\0\0+\0\0\0A\0\x05\0,\0\0\x006\0\0\0 \0\0\x005\0\0\0=\0\x04\0\x04\0\0\x007\0\0\x006\0\0\0\x94\0\x05\0\x03\0\0\08\0\0\x007\0\0\0+\0\0\0\x85\0\x05\0\x03\0\0\09\0\0\0\"\0\0\x000\0\0\0P\0\x07\0\x04\0\0\0:\0\0\x004\0\0\08\0\0\09\0\0\x000\0\0\0A\0\x05\x001\0\0\0;\0\0\0#\0\0\0\x1E\0\0\0>\0\x03\0;\0\0\0:\0\0\0A\0\x05\0,\0\0\0>\0\0\0 \0\0\0=\0\0\0=\0\x04\0\x04\0\0\0?\0\0\0>\0\0\0\x94\0\x05\0\x03\0\0\0@\0\0\0?\0\0\0+\0\0\0A\0\x05\0<\0\0\0A\0\0\0#\0\0\x005\0\0\0>\0\x03\0A\0\0\0@\0\0\0A\0\x05\0<\0\0\0B\0\0\0#\0\0\0=\0\0\0>\0\x03\0B\0\0\x000\0\0\0=\0\x04\0\x06\0\0\0C\0\0\0#\0\0\0Q\0\x05\0\x04\0\0\0D\0\0\0C\0\0\0\0\0\0\0>\0\x03\0\x16\0\0\0D\0\0\0Q\0\x05\0\x03\0\0\0E\0\0\0C\0\0\0\x01\0\0\0>\0\x03\0\x18\0\0\0E\0\0\0Q\0\x05\0\x03\0\0\0F\0\0\0C\0\0\0\x02\0\0\0>\0\x03\0\x1A\0\0\0F\0\0\0\xFD\0\x01\08\0\x01\x006\0\x05\0\x02\0\0\0Q\0\0\0\0\0\0\0\x1C\0\0\0\xF8\0\x02\0G\0\0\0=\0\x04\0\x04\0\0\0J\0\0\0I\0\0\0=\0\x04\0\x03\0\0\0M\0\0\0K\0\0\0=\0\x04\0\x03\0\0\0O\0\0\0N\0\0\0P\0\x06\0\x06\0\0\0H\0\0\0J\0\0\0M\0\0\0O\0\0\0\xF9\0\x02\0S\0\0\0\xF8\0\x02\0S\0\0\0Q\0\x05\0\x03\0\0\0T\0\0\0H\0\0\0\x01\0\0\0Q\0\x05\0\x03\0\0\0U\0\0\0H\0\0\0\x02\0\0\0\x88\0\x05\0\x03\0\0\0V\0\0\0T\0\0\0U\0\0\0\x0C\0\x08\0\x03\0\0\0W\0\0\0\x01\0\0\0+\0\0\0V\0\0\0R\0\0\0!\0\0\0>\0\x03\0P\0\0\0W\0\0\0\xFD\0\x01\08\0\x01\0";
+    pub const CAPTURE_CLAMPED_SPIRV: &[u8] = b"\x03\x02#\x07\0\x03\x01\0\x1C\0\0\0v\0\0\0\0\0\0\0\x11\0\x02\0\x01\0\0\0\x0B\0\x06\0\x01\0\0\0GLSL.std.450\0\0\0\0\x0E\0\x03\0\0\0\0\0\x01\0\0\0\x0F\0\x12\0\0\0\0\0Z\0\0\0pssm_log_capture_clamped_vertex\0K\0\0\0N\0\0\0Q\0\0\0S\0\0\0U\0\0\0W\0\0\0Y\0\0\0\x0F\0\x10\0\x04\0\0\0q\0\0\0pssm_log_capture_clamped_fragment\0\0\0i\0\0\0k\0\0\0n\0\0\0p\0\0\0\x10\0\x03\0q\0\0\0\x07\0\0\0\x10\0\x03\0q\0\0\0\x0C\0\0\0H\0\x05\0\x05\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x05\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x05\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x05\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x07\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x07\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x07\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x07\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x08\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x08\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x08\0\0\0\x02\0\0\0#\0\0\0\x14\0\0\0G\0\x04\0\t\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\t\0\0\0!\0\0\0\0\0\0\0G\0\x03\0\n\0\0\0\x02\0\0\0H\0\x05\0\n\0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\0K\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\0N\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0Q\0\0\0\x1E\0\0\0\x02\0\0\0G\0\x04\0S\0\0\0\x1E\0\0\0\x03\0\0\0G\0\x04\0U\0\0\0\x0B\0\0\0\0\0\0\0G\0\x04\0W\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\0Y\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0i\0\0\0\x0B\0\0\0\x0F\0\0\0G\0\x04\0k\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\0n\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0p\0\0\0\x0B\0\0\0\x16\0\0\0\x13\0\x02\0\x02\0\0\0\x16\0\x03\0\x03\0\0\0 \0\0\0\x17\0\x04\0\x04\0\0\0\x03\0\0\0\x04\0\0\0\x1E\0\x06\0\x05\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x17\0\x04\0\x06\0\0\0\x03\0\0\0\x03\0\0\0\x1E\0\x06\0\x07\0\0\0\x06\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x1E\0\x05\0\x08\0\0\0\x04\0\0\0\x03\0\0\0\x03\0\0\0\x1E\0\x03\0\n\0\0\0\x05\0\0\0 \0\x04\0\x0B\0\0\0\x02\0\0\0\n\0\0\0;\0\x04\0\x0B\0\0\0\t\0\0\0\x02\0\0\0!\0\x04\0\x0F\0\0\0\x04\0\0\0\x07\0\0\0+\0\x04\0\x03\0\0\0\x10\0\0\0\0\0\x80?!\0\x04\0\x1E\0\0\0\x04\0\0\0\x04\0\0\0 \0\x04\0\x1F\0\0\0\x02\0\0\0\x05\0\0\0\x15\0\x04\0!\0\0\0 \0\0\0\0\0\0\0+\0\x04\0!\0\0\0 \0\0\0\0\0\0\0 \0\x04\0$\0\0\0\x02\0\0\0\x04\0\0\0+\0\x04\0!\0\0\0(\0\0\0\x01\0\0\0+\0\x04\0!\0\0\0,\0\0\0\x02\0\0\0+\0\x04\0!\0\0\x000\0\0\0\x03\0\0\0+\0\x04\0\x03\0\0\08\0\0\0\0\0\0?\x17\0\x04\0:\0\0\0\x03\0\0\0\x02\0\0\0!\0\x05\0D\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0+\0\x04\0\x03\0\0\0E\0\0\0\0\0\0\0 \0\x04\0L\0\0\0\x01\0\0\0\x06\0\0\0;\0\x04\0L\0\0\0K\0\0\0\x01\0\0\0 \0\x04\0O\0\0\0\x01\0\0\0\x04\0\0\0;\0\x04\0O\0\0\0N\0\0\0\x01\0\0\0;\0\x04\0O\0\0\0Q\0\0\0\x01\0\0\0;\0\x04\0O\0\0\0S\0\0\0\x01\0\0\0 \0\x04\0V\0\0\0\x03\0\0\0\x04\0\0\0;\0\x04\0V\0\0\0U\0\0\0\x03\0\0\0 \0\x04\0X\0\0\0\x03\0\0\0\x03\0\0\0;\0\x04\0X\0\0\0W\0\0\0\x03\0\0\0;\0\x04\0X\0\0\0Y\0\0\0\x03\0\0\0!\0\x03\0[\0\0\0\x02\0\0\0;\0\x04\0O\0\0\0i\0\0\0\x01\0\0\0 \0\x04\0l\0\0\0\x01\0\0\0\x03\0\0\0;\0\x04\0l\0\0\0k\0\0\0\x01\0\0\0;\0\x04\0l\0\0\0n\0\0\0\x01\0\0\0;\0\x04\0X\0\0\0p\0\0\0\x03\0\0\x006\0\x05\0\x04\0\0\0\x0E\0\0\0\0\0\0\0\x0F\0\0\x007\0\x03\0\x07\0\0\0\r\0\0\0\xF8\0\x02\0\x0C\0\0\0\xF9\0\x02\0\x11\0\0\0\xF8\0\x02\0\x11\0\0\0Q\0\x05\0\x06\0\0\0\x12\0\0\0\r\0\0\0\0\0\0\0P\0\x05\0\x04\0\0\0\x13\0\0\0\x12\0\0\0\x10\0\0\0Q\0\x05\0\x04\0\0\0\x14\0\0\0\r\0\0\0\x01\0\0\0\x94\0\x05\0\x03\0\0\0\x15\0\0\0\x14\0\0\0\x13\0\0\0Q\0\x05\0\x04\0\0\0\x16\0\0\0\r\0\0\0\x02\0\0\0\x94\0\x05\0\x03\0\0\0\x17\0\0\0\x16\0\0\0\x13\0\0\0Q\0\x05\0\x04\0\0\0\x18\0\0\0\r\0\0\0\x03\0\0\0\x94\0\x05\0\x03\0\0\0\x19\0\0\0\x18\0\0\0\x13\0\0\0P\0\x07\0\x04\0\0\0\x1A\0\0\0\x15\0\0\0\x17\0\0\0\x19\0\0\0\x10\0\0\0\xFE\0\x02\0\x1A\0\0\08\0\x01\x006\0\x05\0\x04\0\0\0\x1D\0\0\0\0\0\0\0\x1E\0\0\x007\0\x03\0\x04\0\0\0\x1C\0\0\0\xF8\0\x02\0\x1B\0\0\0A\0\x05\0\x1F\0\0\0\"\0\0\0\t\0\0\0 \0\0\0\xF9\0\x02\0#\0\0\0\xF8\0\x02\0#\0\0\0A\0\x05\0$\0\0\0%\0\0\0\"\0\0\0 \0\0\0=\0\x04\0\x04\0\0\0&\0\0\0%\0\0\0\x94\0\x05\0\x03\0\0\0'\0\0\0&\0\0\0\x1C\0\0\0A\0\x05\0$\0\0\0)\0\0\0\"\0\0\0(\0\0\0=\0\x04\0\x04\0\0\0*\0\0\0)\0\0\0\x94\0\x05\0\x03\0\0\0+\0\0\0*\0\0\0\x1C\0\0\0A\0\x05\0$\0\0\0-\0\0\0\"\0\0\0,\0\0\0=\0\x04\0\x04\0\0\0.\0\0\0-\0\0\0\x94\0\x05\0\x03\0\0\0/\0\0\0.\0\0\0\x1C\0\0\0A\0\x05\0$\0\0\x001\0\0\0\"\0\0\x000\0\0\0=\0\x04\0\x04\0\0\x002\0\0\x001\0\0\0\x94\0\x05\0\x03\0\0\x003\0\0\x002\0\0\0\x1C\0\0\0P\0\x07\0\x04\0\0\x004\0\0\0'\0\0\0+\0\0\0/\0\0\x003\0\0\0\xFE\0\x02\x004\0\0\08\0\x01\x006\0\x05\0\x04\0\0\x007\0\0\0\0\0\0\0\x1E\0\0\x007\0\x03\0\x04\0\0\x006\0\0\0\xF8\0\x02\x005\0\0\0\xF9\0\x02\09\0\0\0\xF8\0\x02\09\0\0\0O\0\x07\0:\0\0\0;\0\0\x006\0\0\x006\0\0\0\0\0\0\0\x01\0\0\0Q\0\x05\0\x03\0\0\0<\0\0\x006\0\0\0\x03\0\0\0\x85\0\x05\0\x03\0\0\0=\0\0\08\0\0\0<\0\0\0Q\0\x05\0\x03\0\0\0>\0\0\x006\0\0\0\x03\0\0\0P\0\x06\0\x04\0\0\0?\0\0\0;\0\0\0=\0\0\0>\0\0\0\xFE\0\x02\0?\0\0\08\0\x01\x006\0\x05\0\x03\0\0\0C\0\0\0\0\0\0\0D\0\0\x007\0\x03\0\x03\0\0\0A\0\0\x007\0\x03\0\x03\0\0\0B\0\0\0\xF8\0\x02\0@\0\0\0\xF9\0\x02\0F\0\0\0\xF8\0\x02\0F\0\0\0\x88\0\x05\0\x03\0\0\0G\0\0\0A\0\0\0B\0\0\0\x0C\0\x08\0\x03\0\0\0H\0\0\0\x01\0\0\0+\0\0\0G\0\0\0E\0\0\0\x10\0\0\0\xFE\0\x02\0H\0\0\08\0\x01\x006\0\x05\0\x02\0\0\0Z\0\0\0\0\0\0\0[\0\0\0\xF8\0\x02\0I\0\0\0=\0\x04\0\x06\0\0\0M\0\0\0K\0\0\0=\0\x04\0\x04\0\0\0P\0\0\0N\0\0\0=\0\x04\0\x04\0\0\0R\0\0\0Q\0\0\0=\0\x04\0\x04\0\0\0T\0\0\0S\0\0\0P\0\x07\0\x07\0\0\0J\0\0\0M\0\0\0P\0\0\0R\0\0\0T\0\0\0A\0\x05\0\x1F\0\0\0\\\0\0\0\t\0\0\0 \0\0\0\xF9\0\x02\0]\0\0\0\xF8\0\x02\0]\0\0\09\0\x05\0\x04\0\0\0^\0\0\0\x0E\0\0\0J\0\0\09\0\x05\0\x04\0\0\0_\0\0\0\x1D\0\0\0^\0\0\09\0\x05\0\x04\0\0\0`\0\0\x007\0\0\0_\0\0\0Q\0\x05\0\x03\0\0\0a\0\0\0_\0\0\0\x02\0\0\0Q\0\x05\0\x03\0\0\0b\0\0\0_\0\0\0\x03\0\0\0P\0\x06\0\x08\0\0\0c\0\0\0`\0\0\0a\0\0\0b\0\0\0Q\0\x05\0\x04\0\0\0d\0\0\0c\0\0\0\0\0\0\0>\0\x03\0U\0\0\0d\0\0\0Q\0\x05\0\x03\0\0\0e\0\0\0c\0\0\0\x01\0\0\0>\0\x03\0W\0\0\0e\0\0\0Q\0\x05\0\x03\0\0\0f\0\0\0c\0\0\0\x02\0\0\0>\0\x03\0Y\0\0\0f\0\0\0\xFD\0\x01\08\0\x01\x006\0\x05\0\x02\0\0\0q\0\0\0\0\0\0\0[\0\0\0\xF8\0\x02\0g\0\0\0=\0\x04\0\x04\0\0\0j\0\0\0i\0\0\0=\0\x04\0\x03\0\0\0m\0\0\0k\0\0\0=\0\x04\0\x03\0\0\0o\0\0\0n\0\0\0P\0\x06\0\x08\0\0\0h\0\0\0j\0\0\0m\0\0\0o\0\0\0\xF9\0\x02\0r\0\0\0\xF8\0\x02\0r\0\0\0Q\0\x05\0\x03\0\0\0s\0\0\0h\0\0\0\x01\0\0\0Q\0\x05\0\x03\0\0\0t\0\0\0h\0\0\0\x02\0\0\09\0\x06\0\x03\0\0\0u\0\0\0C\0\0\0s\0\0\0t\0\0\0>\0\x03\0p\0\0\0u\0\0\0\xFD\0\x01\08\0\x01\0";
     /// WGSL of the mask shader.
     pub const MASK_WGSL: &str = r#"// Pssm4Log: turns the view's depth into a visibility mask.
+// Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 679958304d6e33a2. Do not edit.
+// Generated from light case `Pssm4Log`, bdafd8e67511353c. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -688,7 +732,7 @@ struct PssmLogFacet {
     row_x: vec4<f32>,
     /// Clip y of the tile, upwards.
     row_y: vec4<f32>,
-    /// Clip z, growing away from the light.
+    /// Clip z: depth along the light times w.
     row_z: vec4<f32>,
     /// Clip w, positive on receivers.
     row_w: vec4<f32>,
@@ -712,7 +756,7 @@ struct PssmLogShadow {
 
 /// What the mask pass needs of the view.
 struct PssmLogMask {
-    /// Direction through the image's upper left corner, depth 1, world axes.
+    /// Direction through the image's upper left corner, depth 1, in the case's axes.
     ray_corner: vec4<f32>,
     /// Change of that direction across the whole image.
     ray_across: vec4<f32>,
@@ -738,6 +782,16 @@ var pssm_log_map: texture_depth_2d;
 @group(1) @binding(2)
 var pssm_log_map_sampler: sampler;
 
+/// The position as facet rows take it.
+fn pssm_log_facet_position(position: vec3<f32>) -> vec3<f32> {
+    return position;
+}
+
+/// The normal as facet rows take it.
+fn pssm_log_facet_normal(normal: vec3<f32>) -> vec3<f32> {
+    return normal;
+}
+
 /// Finds the facet of a receiver: its band is the number of thresholds that its distance has reached.
 fn pssm_log_facet_index(position: vec3<f32>) -> u32 {
     let distance = dot(pssm_log_shadow.distances[0], vec4<f32>(position, 1.0));
@@ -750,7 +804,7 @@ fn pssm_log_facet_index(position: vec3<f32>) -> u32 {
 
 /// Where a receiver falls in its facet.
 struct PssmLogPlace {
-    /// Clip space of the tile after division: x and y in [-1, 1], z from 0 towards the light to 1.
+    /// Clip space of the tile after division: x and y in [-1, 1], z growing away from the light.
     ndc: vec3<f32>,
     /// What was divided by.
     w: f32,
@@ -773,6 +827,16 @@ fn pssm_log_place_in_facet(facet: PssmLogFacet, position: vec3<f32>) -> PssmLogP
     return PssmLogPlace(ndc, w, texel, w > 0.0 && inside);
 }
 
+/// The nearest depth that the map can hold.
+fn pssm_log_held_depth(depth: f32) -> f32 {
+    return clamp(depth, 0.0, 1.0);
+}
+
+/// Share of light that each of four stored depths lets through: all or none.
+fn pssm_log_lit_by_four(references: vec4<f32>, stored: vec4<f32>) -> vec4<f32> {
+    return select(vec4<f32>(0.0), vec4<f32>(1.0), references <= stored);
+}
+
 /// A receiver in the map, with its plane.
 struct PssmLogReceiver {
     /// Map texel coordinates; texel centres lie at .5, y grows down.
@@ -785,7 +849,7 @@ struct PssmLogReceiver {
 
 /// Depth of the receiver's plane at an offset in texels, within the depths that the map can hold.
 fn pssm_log_plane_reference(receiver: PssmLogReceiver, offset: vec2<f32>) -> f32 {
-    return clamp(receiver.reference + dot(receiver.gradient, offset), 0.0, 1.0);
+    return pssm_log_held_depth(receiver.reference + dot(receiver.gradient, offset));
 }
 
 /// Largest change of depth from one texel to the next that a plane is followed to: the map's whole range.
@@ -825,22 +889,23 @@ fn pssm_log_filtered_visibility(receiver: PssmLogReceiver) -> f32 {
     );
 
     // Compare, then blend.
-    let lit = select(vec4<f32>(0.0), vec4<f32>(1.0), references <= stored);
+    let lit = pssm_log_lit_by_four(references, stored);
     let weight = vec2<f32>(0.5) - offset;
     return mix(mix(lit.w, lit.z, weight.x), mix(lit.x, lit.y, weight.x), weight.y);
 }
 
 /// Share of the light that reaches a receiver: 1 in the light and outside the map, 0 in shadow.
 ///
-/// `position` is relative to the eye, in world axes and metres; `normal` is the geometric normal there, in world axes.
+/// `position` is relative to the eye, in metres; `normal` is the geometric normal there; both are in the case's axes.
 /// The function takes no derivatives, so any control flow may call it.
 fn pssm_log_visibility(position: vec3<f32>, normal: vec3<f32>) -> f32 {
-    let facet = pssm_log_shadow.facets[pssm_log_facet_index(position)];
-    let place = pssm_log_place_in_facet(facet, position);
+    let point = pssm_log_facet_position(position);
+    let facet = pssm_log_shadow.facets[pssm_log_facet_index(point)];
+    let place = pssm_log_place_in_facet(facet, point);
     if !place.covered {
         return 1.0;
     }
-    return pssm_log_filtered_visibility(pssm_log_biased_receiver(facet, place, normal));
+    return pssm_log_filtered_visibility(pssm_log_biased_receiver(facet, place, pssm_log_facet_normal(normal)));
 }
 
 /// One over the depth in metres at a pixel; 0 where nothing was drawn.
@@ -849,7 +914,7 @@ fn pssm_log_inverse_depth_at(pixel: vec2<i32>) -> f32 {
     return select(0.0, stored * pssm_log_mask.inverse_depth.x + pssm_log_mask.inverse_depth.y, stored > 0.0);
 }
 
-/// Direction of a pixel, relative to the eye, in world axes, with a depth of one metre.
+/// Direction of a pixel, relative to the eye, in the case's axes, with a depth of one metre.
 fn pssm_log_view_ray(pixel: vec2<f32>) -> vec3<f32> {
     let part = pixel / vec2<f32>(textureDimensions(pssm_log_scene_depth));
     return pssm_log_mask.ray_corner.xyz + pssm_log_mask.ray_across.xyz * part.x + pssm_log_mask.ray_down.xyz * part.y;
@@ -873,7 +938,7 @@ fn pssm_log_inverse_depth_slope(pixel: vec2<i32>, axis: vec2<i32>, centre: f32) 
     return select(ahead_near - centre, centre - behind_near, behind_is_better);
 }
 
-/// Unit normal of the surface behind a pixel, in world axes, on the side that faces the eye.
+/// Unit normal of the surface behind a pixel, in the case's axes, on the side that faces the eye.
 fn pssm_log_reconstructed_normal(pixel: vec2<i32>, ray: vec3<f32>, inverse_depth: f32) -> vec3<f32> {
     // Measure how one over depth changes across the whole image and down it.
     let size = vec2<f32>(textureDimensions(pssm_log_scene_depth));
@@ -910,12 +975,13 @@ fn pssm_log_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) v
 }
 "#;
     /// SPIR-V of the mask shader, little-endian words.
-    pub const MASK_SPIRV: &[u8] = b"\x03\x02#\x07\0\x03\x01\0\x1C\0\0\0\xE6\x01\0\0\0\0\0\0\x11\0\x02\0\x01\0\0\0\x11\0\x02\x002\0\0\0\x0B\0\x06\0\x01\0\0\0GLSL.std.450\0\0\0\0\x0E\0\x03\0\0\0\0\0\x01\0\0\0\x0F\0\x0B\0\0\0\0\0\xBA\x01\0\0pssm_log_mask_vertex\0\0\0\0\xB5\x01\0\0\xB8\x01\0\0\x0F\0\x0B\0\x04\0\0\0\xC9\x01\0\0pssm_log_mask_fragment\0\0\xC5\x01\0\0\xC8\x01\0\0\x10\0\x03\0\xC9\x01\0\0\x07\0\0\0H\0\x05\0\x07\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x07\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x07\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x07\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x07\0\0\0\x04\0\0\0#\0\0\0@\0\0\0H\0\x05\0\x07\0\0\0\x05\0\0\0#\0\0\0P\0\0\0H\0\x05\0\x07\0\0\0\x06\0\0\0#\0\0\0`\0\0\0G\0\x04\0\x08\0\0\0\x06\0\0\0\x10\0\0\0G\0\x04\0\n\0\0\0\x06\0\0\0p\0\0\0H\0\x05\0\x0C\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x0C\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x0C\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\r\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\r\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\r\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\r\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x13\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x13\0\0\0\x01\0\0\0#\0\0\0\x0C\0\0\0H\0\x05\0\x13\0\0\0\x02\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x13\0\0\0\x03\0\0\0#\0\0\0\x18\0\0\0H\0\x05\0\x14\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x14\0\0\0\x01\0\0\0#\0\0\0\x08\0\0\0H\0\x05\0\x14\0\0\0\x02\0\0\0#\0\0\0\x10\0\0\0G\0\x04\0\x1A\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x1A\0\0\0!\0\0\0\0\0\0\0G\0\x03\0\x1B\0\0\0\x02\0\0\0H\0\x05\0\x1B\0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\0\x1D\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x1D\0\0\0!\0\0\0\x01\0\0\0G\0\x04\0\x1F\0\0\0\"\0\0\0\x01\0\0\0G\0\x04\0\x1F\0\0\0!\0\0\0\0\0\0\0G\0\x03\0 \0\0\0\x02\0\0\0H\0\x05\0 \0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\0\"\0\0\0\"\0\0\0\x01\0\0\0G\0\x04\0\"\0\0\0!\0\0\0\x01\0\0\0G\0\x04\0#\0\0\0\"\0\0\0\x01\0\0\0G\0\x04\0#\0\0\0!\0\0\0\x02\0\0\0G\0\x04\0\xB5\x01\0\0\x0B\0\0\0*\0\0\0G\0\x04\0\xB8\x01\0\0\x0B\0\0\0\0\0\0\0G\0\x04\0\xC5\x01\0\0\x0B\0\0\0\x0F\0\0\0G\0\x04\0\xC8\x01\0\0\x1E\0\0\0\0\0\0\0\x13\0\x02\0\x02\0\0\0\x16\0\x03\0\x03\0\0\0 \0\0\0\x17\0\x04\0\x04\0\0\0\x03\0\0\0\x02\0\0\0\x15\0\x04\0\x05\0\0\0 \0\0\0\0\0\0\0\x17\0\x04\0\x06\0\0\0\x03\0\0\0\x04\0\0\0\x1E\0\t\0\x07\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0\x03\0\0\0+\0\x04\0\x05\0\0\0\t\0\0\0\x01\0\0\0\x1C\0\x04\0\x08\0\0\0\x06\0\0\0\t\0\0\0+\0\x04\0\x05\0\0\0\x0B\0\0\0\x04\0\0\0\x1C\0\x04\0\n\0\0\0\x07\0\0\0\x0B\0\0\0\x1E\0\x05\0\x0C\0\0\0\x08\0\0\0\x08\0\0\0\n\0\0\0\x1E\0\x06\0\r\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0\x04\0\0\0\x19\0\t\0\x0E\0\0\0\x03\0\0\0\x01\0\0\0\x01\0\0\0\0\0\0\0\0\0\0\0\x01\0\0\0\0\0\0\0\x1A\0\x02\0\x0F\0\0\0\x17\0\x04\0\x10\0\0\0\x03\0\0\0\x03\0\0\0\x17\0\x04\0\x11\0\0\0\x05\0\0\0\x04\0\0\0\x14\0\x02\0\x12\0\0\0\x1E\0\x06\0\x13\0\0\0\x10\0\0\0\x03\0\0\0\x04\0\0\0\x12\0\0\0\x1E\0\x05\0\x14\0\0\0\x04\0\0\0\x03\0\0\0\x04\0\0\0\x15\0\x04\0\x16\0\0\0 \0\0\0\x01\0\0\0\x17\0\x04\0\x15\0\0\0\x16\0\0\0\x02\0\0\0+\0\x04\0\x03\0\0\0\x17\0\0\0\0\0\0E,\0\x05\0\x04\0\0\0\x18\0\0\0\x17\0\0\0\x17\0\0\0+\0\x04\0\x03\0\0\0\x19\0\0\0\0\0\x80?\x1E\0\x03\0\x1B\0\0\0\r\0\0\0 \0\x04\0\x1C\0\0\0\x02\0\0\0\x1B\0\0\0;\0\x04\0\x1C\0\0\0\x1A\0\0\0\x02\0\0\0 \0\x04\0\x1E\0\0\0\0\0\0\0\x0E\0\0\0;\0\x04\0\x1E\0\0\0\x1D\0\0\0\0\0\0\0\x1E\0\x03\0 \0\0\0\x0C\0\0\0 \0\x04\0!\0\0\0\x02\0\0\0 \0\0\0;\0\x04\0!\0\0\0\x1F\0\0\0\x02\0\0\0;\0\x04\0\x1E\0\0\0\"\0\0\0\0\0\0\0 \0\x04\0$\0\0\0\0\0\0\0\x0F\0\0\0;\0\x04\0$\0\0\0#\0\0\0\0\0\0\0!\0\x04\0(\0\0\0\x05\0\0\0\x10\0\0\0 \0\x04\0)\0\0\0\x02\0\0\0\x0C\0\0\0+\0\x04\0\x05\0\0\0*\0\0\0\0\0\0\0,\0\x07\0\x11\0\0\0,\0\0\0*\0\0\0*\0\0\0*\0\0\0*\0\0\0,\0\x07\0\x11\0\0\0-\0\0\0\t\0\0\0\t\0\0\0\t\0\0\0\t\0\0\0+\0\x04\0\x05\0\0\0.\0\0\0\x03\0\0\0 \0\x04\x000\0\0\0\x07\0\0\0\x11\0\0\0 \0\x04\x002\0\0\0\x07\0\0\0\x05\0\0\0 \0\x04\x004\0\0\0\x02\0\0\0\x08\0\0\0 \0\x04\x005\0\0\0\x02\0\0\0\x06\0\0\0\x17\0\x04\0I\0\0\0\x12\0\0\0\x04\0\0\0+\0\x04\0\x05\0\0\0T\0\0\0\x02\0\0\0!\0\x05\0`\0\0\0\x13\0\0\0\x07\0\0\0\x10\0\0\0*\0\x03\0\x12\0\0\0a\0\0\0+\0\x04\0\x03\0\0\0b\0\0\0\0\0\0\0 \0\x04\0d\0\0\0\x07\0\0\0\x12\0\0\0.\0\x03\0\x12\0\0\0e\0\0\0.\0\x03\0\x12\0\0\0g\0\0\0\x17\0\x04\0~\0\0\0\x12\0\0\0\x02\0\0\0!\0\x05\0\x93\0\0\0\x03\0\0\0\x14\0\0\0\x04\0\0\0!\0\x06\0\x9F\0\0\0\x14\0\0\0\x07\0\0\0\x13\0\0\0\x10\0\0\0+\0\x04\0\x03\0\0\0\xA0\0\0\0\0\0\x80\xBF,\0\x05\0\x04\0\0\0\xA1\0\0\0\xA0\0\0\0\xA0\0\0\0,\0\x05\0\x04\0\0\0\xA2\0\0\0\x19\0\0\0\x19\0\0\0,\0\x05\0\x04\0\0\0\xA3\0\0\0b\0\0\0b\0\0\0!\0\x04\0\xD5\0\0\0\x03\0\0\0\x14\0\0\0+\0\x04\0\x03\0\0\0\xD8\0\0\0\0\0\0?,\0\x05\0\x04\0\0\0\xD9\0\0\0\xD8\0\0\0\xD8\0\0\0+\0\x04\0\x03\0\0\0\xDA\0\0\0\0\0\0\xBF,\0\x05\0\x04\0\0\0\xDB\0\0\0\xDA\0\0\0\xD8\0\0\0,\0\x05\0\x04\0\0\0\xDC\0\0\0\xD8\0\0\0\xD8\0\0\0,\0\x05\0\x04\0\0\0\xDD\0\0\0\xD8\0\0\0\xDA\0\0\0,\0\x05\0\x04\0\0\0\xDE\0\0\0\xDA\0\0\0\xDA\0\0\0,\0\x07\0\x06\0\0\0\xDF\0\0\0b\0\0\0b\0\0\0b\0\0\0b\0\0\0,\0\x07\0\x06\0\0\0\xE0\0\0\0\x19\0\0\0\x19\0\0\0\x19\0\0\0\x19\0\0\0\x1B\0\x03\0\xE7\0\0\0\x0E\0\0\0!\0\x05\0\x06\x01\0\0\x03\0\0\0\x10\0\0\0\x10\0\0\0 \0\x04\0\x0B\x01\0\0\x02\0\0\0\n\0\0\0 \0\x04\0\r\x01\0\0\x02\0\0\0\x07\0\0\0!\0\x04\0\x1A\x01\0\0\x03\0\0\0\x15\0\0\0 \0\x04\0\x1B\x01\0\0\x02\0\0\0\r\0\0\0+\0\x04\0\x16\0\0\0\x1E\x01\0\0\0\0\0\0 \0\x04\0\"\x01\0\0\x02\0\0\0\x04\0\0\0 \0\x04\0#\x01\0\0\x02\0\0\0\x03\0\0\0!\0\x04\0/\x01\0\0\x10\0\0\0\x04\0\0\0\x17\0\x04\x003\x01\0\0\x05\0\0\0\x02\0\0\0!\0\x06\0K\x01\0\0\x03\0\0\0\x15\0\0\0\x15\0\0\0\x03\0\0\0+\0\x04\0\x16\0\0\0N\x01\0\0\x01\0\0\0,\0\x05\0\x15\0\0\0O\x01\0\0N\x01\0\0N\x01\0\0,\0\x05\0\x15\0\0\0P\x01\0\0\x1E\x01\0\0\x1E\x01\0\0+\0\x04\0\x16\0\0\0Q\x01\0\0\x02\0\0\0+\0\x04\0\x03\0\0\0R\x01\0\0\0\0\0@)\0\x03\0\x12\0\0\0S\x01\0\0.\0\x03\0\x12\0\0\0U\x01\0\0.\0\x03\0\x12\0\0\0W\x01\0\0!\0\x06\0\x91\x01\0\0\x10\0\0\0\x15\0\0\0\x10\0\0\0\x03\0\0\0,\0\x05\0\x15\0\0\0\x94\x01\0\0N\x01\0\0\x1E\x01\0\0,\0\x05\0\x15\0\0\0\x95\x01\0\0\x1E\x01\0\0N\x01\0\0\x17\0\x04\0\xB1\x01\0\0\x12\0\0\0\x03\0\0\0 \0\x04\0\xB6\x01\0\0\x01\0\0\0\x05\0\0\0;\0\x04\0\xB6\x01\0\0\xB5\x01\0\0\x01\0\0\0 \0\x04\0\xB9\x01\0\0\x03\0\0\0\x06\0\0\0;\0\x04\0\xB9\x01\0\0\xB8\x01\0\0\x03\0\0\0!\0\x03\0\xBB\x01\0\0\x02\0\0\0+\0\x04\0\x03\0\0\0\xBC\x01\0\0\0\0@@+\0\x04\0\x03\0\0\0\xBD\x01\0\0\0\0@\xC0 \0\x04\0\xC6\x01\0\0\x01\0\0\0\x06\0\0\0;\0\x04\0\xC6\x01\0\0\xC5\x01\0\0\x01\0\0\0;\0\x04\0\xB9\x01\0\0\xC8\x01\0\0\x03\0\0\0,\0\x07\0\x06\0\0\0\xCF\x01\0\0\x19\0\0\0b\0\0\0b\0\0\0\x19\0\0\0+\0\x04\0\x03\0\0\0\xD2\x01\0\0\0\0\0\xCF,\0\x05\0\x04\0\0\0\xD3\x01\0\0\xD2\x01\0\0\xD2\x01\0\0+\0\x04\0\x03\0\0\0\xD4\x01\0\0\xFF\xFF\xFFN,\0\x05\0\x04\0\0\0\xD5\x01\0\0\xD4\x01\0\0\xD4\x01\0\x006\0\x05\0\x05\0\0\0'\0\0\0\0\0\0\0(\0\0\x007\0\x03\0\x10\0\0\0&\0\0\0\xF8\0\x02\0%\0\0\0;\0\x05\x000\0\0\0/\0\0\0\x07\0\0\0,\0\0\0;\0\x05\x002\0\0\x001\0\0\0\x07\0\0\0*\0\0\0A\0\x05\0)\0\0\0+\0\0\0\x1F\0\0\0*\0\0\0\xF9\0\x02\x003\0\0\0\xF8\0\x02\x003\0\0\0A\0\x06\x005\0\0\x006\0\0\0+\0\0\0*\0\0\0*\0\0\0=\0\x04\0\x06\0\0\x007\0\0\x006\0\0\0P\0\x05\0\x06\0\0\08\0\0\0&\0\0\0\x19\0\0\0\x94\0\x05\0\x03\0\0\09\0\0\x007\0\0\08\0\0\0\xF9\0\x02\0:\0\0\0\xF8\0\x02\0:\0\0\0\xF6\0\x04\0;\0\0\0=\0\0\0\0\0\0\0\xF9\0\x02\0<\0\0\0\xF8\0\x02\0<\0\0\0=\0\x04\0\x05\0\0\0>\0\0\x001\0\0\0\xB0\0\x05\0\x12\0\0\0?\0\0\0>\0\0\0\t\0\0\0\xF7\0\x03\0@\0\0\0\0\0\0\0\xFA\0\x04\0?\0\0\0@\0\0\0A\0\0\0\xF8\0\x02\0A\0\0\0\xF9\0\x02\0;\0\0\0\xF8\0\x02\0@\0\0\0\xF9\0\x02\0B\0\0\0\xF8\0\x02\0B\0\0\0=\0\x04\0\x11\0\0\0D\0\0\0/\0\0\0P\0\x07\0\x06\0\0\0E\0\0\09\0\0\09\0\0\09\0\0\09\0\0\0=\0\x04\0\x05\0\0\0F\0\0\x001\0\0\0A\0\x06\x005\0\0\0G\0\0\0+\0\0\0\t\0\0\0F\0\0\0=\0\x04\0\x06\0\0\0H\0\0\0G\0\0\0\xBE\0\x05\0I\0\0\0J\0\0\0E\0\0\0H\0\0\0\xA9\0\x06\0\x11\0\0\0K\0\0\0J\0\0\0-\0\0\0,\0\0\0\x80\0\x05\0\x11\0\0\0L\0\0\0D\0\0\0K\0\0\0>\0\x03\0/\0\0\0L\0\0\0\xF9\0\x02\0C\0\0\0\xF8\0\x02\0C\0\0\0\xF9\0\x02\0=\0\0\0\xF8\0\x02\0=\0\0\0=\0\x04\0\x05\0\0\0M\0\0\x001\0\0\0\x80\0\x05\0\x05\0\0\0N\0\0\0M\0\0\0\t\0\0\0>\0\x03\x001\0\0\0N\0\0\0\xF9\0\x02\0:\0\0\0\xF8\0\x02\0;\0\0\0A\0\x05\x002\0\0\0O\0\0\0/\0\0\0*\0\0\0=\0\x04\0\x05\0\0\0P\0\0\0O\0\0\0A\0\x05\x002\0\0\0Q\0\0\0/\0\0\0\t\0\0\0=\0\x04\0\x05\0\0\0R\0\0\0Q\0\0\0\x80\0\x05\0\x05\0\0\0S\0\0\0P\0\0\0R\0\0\0A\0\x05\x002\0\0\0U\0\0\0/\0\0\0T\0\0\0=\0\x04\0\x05\0\0\0V\0\0\0U\0\0\0\x80\0\x05\0\x05\0\0\0W\0\0\0S\0\0\0V\0\0\0A\0\x05\x002\0\0\0X\0\0\0/\0\0\0.\0\0\0=\0\x04\0\x05\0\0\0Y\0\0\0X\0\0\0\x80\0\x05\0\x05\0\0\0Z\0\0\0W\0\0\0Y\0\0\0\x0C\0\x07\0\x05\0\0\0[\0\0\0\x01\0\0\0&\0\0\0Z\0\0\0.\0\0\0\xFE\0\x02\0[\0\0\08\0\x01\x006\0\x05\0\x13\0\0\0_\0\0\0\0\0\0\0`\0\0\x007\0\x03\0\x07\0\0\0]\0\0\x007\0\x03\0\x10\0\0\0^\0\0\0\xF8\0\x02\0\\\0\0\0;\0\x05\0d\0\0\0c\0\0\0\x07\0\0\0e\0\0\0;\0\x05\0d\0\0\0f\0\0\0\x07\0\0\0g\0\0\0\xF9\0\x02\0h\0\0\0\xF8\0\x02\0h\0\0\0P\0\x05\0\x06\0\0\0i\0\0\0^\0\0\0\x19\0\0\0Q\0\x05\0\x06\0\0\0j\0\0\0]\0\0\0\x03\0\0\0\x94\0\x05\0\x03\0\0\0k\0\0\0j\0\0\0i\0\0\0Q\0\x05\0\x06\0\0\0l\0\0\0]\0\0\0\0\0\0\0\x94\0\x05\0\x03\0\0\0m\0\0\0l\0\0\0i\0\0\0Q\0\x05\0\x06\0\0\0n\0\0\0]\0\0\0\x01\0\0\0\x94\0\x05\0\x03\0\0\0o\0\0\0n\0\0\0i\0\0\0Q\0\x05\0\x06\0\0\0p\0\0\0]\0\0\0\x02\0\0\0\x94\0\x05\0\x03\0\0\0q\0\0\0p\0\0\0i\0\0\0P\0\x06\0\x10\0\0\0r\0\0\0m\0\0\0o\0\0\0q\0\0\0P\0\x06\0\x10\0\0\0s\0\0\0k\0\0\0k\0\0\0k\0\0\0\x88\0\x05\0\x10\0\0\0t\0\0\0r\0\0\0s\0\0\0O\0\x07\0\x04\0\0\0u\0\0\0t\0\0\0t\0\0\0\0\0\0\0\x01\0\0\0Q\0\x05\0\x06\0\0\0v\0\0\0]\0\0\0\x04\0\0\0O\0\x07\0\x04\0\0\0w\0\0\0v\0\0\0v\0\0\0\0\0\0\0\x01\0\0\0\x85\0\x05\0\x04\0\0\0x\0\0\0u\0\0\0w\0\0\0Q\0\x05\0\x06\0\0\0y\0\0\0]\0\0\0\x04\0\0\0O\0\x07\0\x04\0\0\0z\0\0\0y\0\0\0y\0\0\0\x02\0\0\0\x03\0\0\0\x81\0\x05\0\x04\0\0\0{\0\0\0x\0\0\0z\0\0\0Q\0\x05\0\x06\0\0\0|\0\0\0]\0\0\0\x05\0\0\0O\0\x07\0\x04\0\0\0}\0\0\0|\0\0\0|\0\0\0\0\0\0\0\x01\0\0\0\xBE\0\x05\0~\0\0\0\x7F\0\0\0{\0\0\0}\0\0\0\x9B\0\x04\0\x12\0\0\0\x80\0\0\0\x7F\0\0\0\xF7\0\x03\0\x81\0\0\0\0\0\0\0\xFA\0\x04\0\x80\0\0\0\x82\0\0\0\x83\0\0\0\xF8\0\x02\0\x82\0\0\0Q\0\x05\0\x06\0\0\0\x84\0\0\0]\0\0\0\x05\0\0\0O\0\x07\0\x04\0\0\0\x85\0\0\0\x84\0\0\0\x84\0\0\0\x02\0\0\0\x03\0\0\0\xBC\0\x05\0~\0\0\0\x86\0\0\0{\0\0\0\x85\0\0\0\x9B\0\x04\0\x12\0\0\0\x87\0\0\0\x86\0\0\0>\0\x03\0c\0\0\0\x87\0\0\0\xF9\0\x02\0\x81\0\0\0\xF8\0\x02\0\x83\0\0\0>\0\x03\0c\0\0\0a\0\0\0\xF9\0\x02\0\x81\0\0\0\xF8\0\x02\0\x81\0\0\0=\0\x04\0\x12\0\0\0\x88\0\0\0c\0\0\0\xBA\0\x05\0\x12\0\0\0\x89\0\0\0k\0\0\0b\0\0\0\xF7\0\x03\0\x8A\0\0\0\0\0\0\0\xFA\0\x04\0\x89\0\0\0\x8B\0\0\0\x8C\0\0\0\xF8\0\x02\0\x8B\0\0\0>\0\x03\0f\0\0\0\x88\0\0\0\xF9\0\x02\0\x8A\0\0\0\xF8\0\x02\0\x8C\0\0\0>\0\x03\0f\0\0\0a\0\0\0\xF9\0\x02\0\x8A\0\0\0\xF8\0\x02\0\x8A\0\0\0=\0\x04\0\x12\0\0\0\x8D\0\0\0f\0\0\0P\0\x07\0\x13\0\0\0\x8E\0\0\0t\0\0\0k\0\0\0{\0\0\0\x8D\0\0\0\xFE\0\x02\0\x8E\0\0\08\0\x01\x006\0\x05\0\x03\0\0\0\x92\0\0\0\0\0\0\0\x93\0\0\x007\0\x03\0\x14\0\0\0\x90\0\0\x007\0\x03\0\x04\0\0\0\x91\0\0\0\xF8\0\x02\0\x8F\0\0\0\xF9\0\x02\0\x94\0\0\0\xF8\0\x02\0\x94\0\0\0Q\0\x05\0\x03\0\0\0\x95\0\0\0\x90\0\0\0\x01\0\0\0Q\0\x05\0\x04\0\0\0\x96\0\0\0\x90\0\0\0\x02\0\0\0\x94\0\x05\0\x03\0\0\0\x97\0\0\0\x96\0\0\0\x91\0\0\0\x81\0\x05\0\x03\0\0\0\x98\0\0\0\x95\0\0\0\x97\0\0\0\x0C\0\x08\0\x03\0\0\0\x99\0\0\0\x01\0\0\0+\0\0\0\x98\0\0\0b\0\0\0\x19\0\0\0\xFE\0\x02\0\x99\0\0\08\0\x01\x006\0\x05\0\x14\0\0\0\x9E\0\0\0\0\0\0\0\x9F\0\0\x007\0\x03\0\x07\0\0\0\x9B\0\0\x007\0\x03\0\x13\0\0\0\x9C\0\0\x007\0\x03\0\x10\0\0\0\x9D\0\0\0\xF8\0\x02\0\x9A\0\0\0\xF9\0\x02\0\xA4\0\0\0\xF8\0\x02\0\xA4\0\0\0Q\0\x05\0\x06\0\0\0\xA5\0\0\0\x9B\0\0\0\0\0\0\0O\0\x08\0\x10\0\0\0\xA6\0\0\0\xA5\0\0\0\xA5\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0Q\0\x05\0\x10\0\0\0\xA7\0\0\0\x9C\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0\xA8\0\0\0\xA7\0\0\0\0\0\0\0Q\0\x05\0\x06\0\0\0\xA9\0\0\0\x9B\0\0\0\x03\0\0\0O\0\x08\0\x10\0\0\0\xAA\0\0\0\xA9\0\0\0\xA9\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0\x8E\0\x05\0\x10\0\0\0\xAB\0\0\0\xAA\0\0\0\xA8\0\0\0\x83\0\x05\0\x10\0\0\0\xAC\0\0\0\xA6\0\0\0\xAB\0\0\0Q\0\x05\0\x06\0\0\0\xAD\0\0\0\x9B\0\0\0\x01\0\0\0O\0\x08\0\x10\0\0\0\xAE\0\0\0\xAD\0\0\0\xAD\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0Q\0\x05\0\x10\0\0\0\xAF\0\0\0\x9C\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0\xB0\0\0\0\xAF\0\0\0\x01\0\0\0Q\0\x05\0\x06\0\0\0\xB1\0\0\0\x9B\0\0\0\x03\0\0\0O\0\x08\0\x10\0\0\0\xB2\0\0\0\xB1\0\0\0\xB1\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0\x8E\0\x05\0\x10\0\0\0\xB3\0\0\0\xB2\0\0\0\xB0\0\0\0\x83\0\x05\0\x10\0\0\0\xB4\0\0\0\xAE\0\0\0\xB3\0\0\0Q\0\x05\0\x06\0\0\0\xB5\0\0\0\x9B\0\0\0\x02\0\0\0O\0\x08\0\x10\0\0\0\xB6\0\0\0\xB5\0\0\0\xB5\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0Q\0\x05\0\x10\0\0\0\xB7\0\0\0\x9C\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0\xB8\0\0\0\xB7\0\0\0\x02\0\0\0Q\0\x05\0\x06\0\0\0\xB9\0\0\0\x9B\0\0\0\x03\0\0\0O\0\x08\0\x10\0\0\0\xBA\0\0\0\xB9\0\0\0\xB9\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0\x8E\0\x05\0\x10\0\0\0\xBB\0\0\0\xBA\0\0\0\xB8\0\0\0\x83\0\x05\0\x10\0\0\0\xBC\0\0\0\xB6\0\0\0\xBB\0\0\0\x0C\0\x07\0\x10\0\0\0\xBD\0\0\0\x01\0\0\0D\0\0\0\xAC\0\0\0\xB4\0\0\0\x94\0\x05\0\x03\0\0\0\xBE\0\0\0\x9D\0\0\0\xBD\0\0\0\x0C\0\x07\0\x10\0\0\0\xBF\0\0\0\x01\0\0\0D\0\0\0\xB4\0\0\0\x9D\0\0\0\x94\0\x05\0\x03\0\0\0\xC0\0\0\0\xBC\0\0\0\xBF\0\0\0\x0C\0\x07\0\x10\0\0\0\xC1\0\0\0\x01\0\0\0D\0\0\0\x9D\0\0\0\xAC\0\0\0\x94\0\x05\0\x03\0\0\0\xC2\0\0\0\xBC\0\0\0\xC1\0\0\0P\0\x05\0\x04\0\0\0\xC3\0\0\0\xC0\0\0\0\xC2\0\0\0Q\0\x05\0\x06\0\0\0\xC4\0\0\0\x9B\0\0\0\x04\0\0\0O\0\x07\0\x04\0\0\0\xC5\0\0\0\xC4\0\0\0\xC4\0\0\0\0\0\0\0\x01\0\0\0\x8E\0\x05\0\x04\0\0\0\xC6\0\0\0\xC5\0\0\0\xBE\0\0\0\x88\0\x05\0\x04\0\0\0\xC7\0\0\0\xC3\0\0\0\xC6\0\0\0\x0C\0\x08\0\x04\0\0\0\xC8\0\0\0\x01\0\0\0+\0\0\0\xC7\0\0\0\xA1\0\0\0\xA2\0\0\0\xB4\0\x05\0\x12\0\0\0\xC9\0\0\0\xBE\0\0\0b\0\0\0P\0\x05\0~\0\0\0\xCB\0\0\0\xC9\0\0\0\xC9\0\0\0\xA9\0\x06\0\x04\0\0\0\xCA\0\0\0\xCB\0\0\0\xA3\0\0\0\xC8\0\0\0Q\0\x05\0\x04\0\0\0\xCC\0\0\0\x9C\0\0\0\x02\0\0\0Q\0\x05\0\x10\0\0\0\xCD\0\0\0\x9C\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0\xCE\0\0\0\xCD\0\0\0\x02\0\0\0Q\0\x05\0\x03\0\0\0\xCF\0\0\0\x9B\0\0\0\x06\0\0\0\x83\0\x05\0\x03\0\0\0\xD0\0\0\0\xCE\0\0\0\xCF\0\0\0P\0\x06\0\x14\0\0\0\xD1\0\0\0\xCC\0\0\0\xD0\0\0\0\xCA\0\0\0\xFE\0\x02\0\xD1\0\0\08\0\x01\x006\0\x05\0\x03\0\0\0\xD4\0\0\0\0\0\0\0\xD5\0\0\x007\0\x03\0\x14\0\0\0\xD3\0\0\0\xF8\0\x02\0\xD2\0\0\0=\0\x04\0\x0E\0\0\0\xD6\0\0\0\"\0\0\0=\0\x04\0\x0F\0\0\0\xD7\0\0\0#\0\0\0\xF9\0\x02\0\xE1\0\0\0\xF8\0\x02\0\xE1\0\0\0Q\0\x05\0\x04\0\0\0\xE2\0\0\0\xD3\0\0\0\0\0\0\0\x83\0\x05\0\x04\0\0\0\xE3\0\0\0\xE2\0\0\0\xD9\0\0\0\x0C\0\x06\0\x04\0\0\0\xE4\0\0\0\x01\0\0\0\x08\0\0\0\xE3\0\0\0\x81\0\x05\0\x04\0\0\0\xE5\0\0\0\xE4\0\0\0\xA2\0\0\0\x88\0\x05\0\x04\0\0\0\xE6\0\0\0\xE5\0\0\0\x18\0\0\0V\0\x05\0\xE7\0\0\0\xE8\0\0\0\xD6\0\0\0\xD7\0\0\0`\0\x06\0\x06\0\0\0\xE9\0\0\0\xE8\0\0\0\xE6\0\0\0*\0\0\0Q\0\x05\0\x04\0\0\0\xEA\0\0\0\xD3\0\0\0\0\0\0\0\x83\0\x05\0\x04\0\0\0\xEB\0\0\0\xE5\0\0\0\xEA\0\0\0\x81\0\x05\0\x04\0\0\0\xEC\0\0\0\xEB\0\0\0\xDB\0\0\09\0\x06\0\x03\0\0\0\xED\0\0\0\x92\0\0\0\xD3\0\0\0\xEC\0\0\0\x81\0\x05\0\x04\0\0\0\xEE\0\0\0\xEB\0\0\0\xDC\0\0\09\0\x06\0\x03\0\0\0\xEF\0\0\0\x92\0\0\0\xD3\0\0\0\xEE\0\0\0\x81\0\x05\0\x04\0\0\0\xF0\0\0\0\xEB\0\0\0\xDD\0\0\09\0\x06\0\x03\0\0\0\xF1\0\0\0\x92\0\0\0\xD3\0\0\0\xF0\0\0\0\x81\0\x05\0\x04\0\0\0\xF2\0\0\0\xEB\0\0\0\xDE\0\0\09\0\x06\0\x03\0\0\0\xF3\0\0\0\x92\0\0\0\xD3\0\0\0\xF2\0\0\0P\0\x07\0\x06\0\0\0\xF4\0\0\0\xED\0\0\0\xEF\0\0\0\xF1\0\0\0\xF3\0\0\0\xBC\0\x05\0I\0\0\0\xF5\0\0\0\xF4\0\0\0\xE9\0\0\0\xA9\0\x06\0\x06\0\0\0\xF6\0\0\0\xF5\0\0\0\xE0\0\0\0\xDF\0\0\0\x83\0\x05\0\x04\0\0\0\xF7\0\0\0\xD9\0\0\0\xEB\0\0\0Q\0\x05\0\x03\0\0\0\xF8\0\0\0\xF6\0\0\0\x03\0\0\0Q\0\x05\0\x03\0\0\0\xF9\0\0\0\xF6\0\0\0\x02\0\0\0Q\0\x05\0\x03\0\0\0\xFA\0\0\0\xF7\0\0\0\0\0\0\0\x0C\0\x08\0\x03\0\0\0\xFB\0\0\0\x01\0\0\0.\0\0\0\xF8\0\0\0\xF9\0\0\0\xFA\0\0\0Q\0\x05\0\x03\0\0\0\xFC\0\0\0\xF6\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0\xFD\0\0\0\xF6\0\0\0\x01\0\0\0Q\0\x05\0\x03\0\0\0\xFE\0\0\0\xF7\0\0\0\0\0\0\0\x0C\0\x08\0\x03\0\0\0\xFF\0\0\0\x01\0\0\0.\0\0\0\xFC\0\0\0\xFD\0\0\0\xFE\0\0\0Q\0\x05\0\x03\0\0\0\0\x01\0\0\xF7\0\0\0\x01\0\0\0\x0C\0\x08\0\x03\0\0\0\x01\x01\0\0\x01\0\0\0.\0\0\0\xFB\0\0\0\xFF\0\0\0\0\x01\0\0\xFE\0\x02\0\x01\x01\0\08\0\x01\x006\0\x05\0\x03\0\0\0\x05\x01\0\0\0\0\0\0\x06\x01\0\x007\0\x03\0\x10\0\0\0\x03\x01\0\x007\0\x03\0\x10\0\0\0\x04\x01\0\0\xF8\0\x02\0\x02\x01\0\0A\0\x05\0)\0\0\0\x07\x01\0\0\x1F\0\0\0*\0\0\0=\0\x04\0\x0E\0\0\0\x08\x01\0\0\"\0\0\0=\0\x04\0\x0F\0\0\0\t\x01\0\0#\0\0\0\xF9\0\x02\0\n\x01\0\0\xF8\0\x02\0\n\x01\0\09\0\x05\0\x05\0\0\0\x0C\x01\0\0'\0\0\0\x03\x01\0\0A\0\x06\0\r\x01\0\0\x0E\x01\0\0\x07\x01\0\0T\0\0\0\x0C\x01\0\0=\0\x04\0\x07\0\0\0\x0F\x01\0\0\x0E\x01\0\09\0\x06\0\x13\0\0\0\x10\x01\0\0_\0\0\0\x0F\x01\0\0\x03\x01\0\0Q\0\x05\0\x12\0\0\0\x11\x01\0\0\x10\x01\0\0\x03\0\0\0\xA8\0\x04\0\x12\0\0\0\x12\x01\0\0\x11\x01\0\0\xF7\0\x03\0\x13\x01\0\0\0\0\0\0\xFA\0\x04\0\x12\x01\0\0\x14\x01\0\0\x13\x01\0\0\xF8\0\x02\0\x14\x01\0\0\xFE\0\x02\0\x19\0\0\0\xF8\0\x02\0\x13\x01\0\09\0\x07\0\x14\0\0\0\x15\x01\0\0\x9E\0\0\0\x0F\x01\0\0\x10\x01\0\0\x04\x01\0\09\0\x05\0\x03\0\0\0\x16\x01\0\0\xD4\0\0\0\x15\x01\0\0\xFE\0\x02\0\x16\x01\0\08\0\x01\x006\0\x05\0\x03\0\0\0\x19\x01\0\0\0\0\0\0\x1A\x01\0\x007\0\x03\0\x15\0\0\0\x18\x01\0\0\xF8\0\x02\0\x17\x01\0\0A\0\x05\0\x1B\x01\0\0\x1C\x01\0\0\x1A\0\0\0*\0\0\0=\0\x04\0\x0E\0\0\0\x1D\x01\0\0\x1D\0\0\0\xF9\0\x02\0\x1F\x01\0\0\xF8\0\x02\0\x1F\x01\0\0_\0\x07\0\x06\0\0\0 \x01\0\0\x1D\x01\0\0\x18\x01\0\0\x02\0\0\0\x1E\x01\0\0Q\0\x05\0\x03\0\0\0!\x01\0\0 \x01\0\0\0\0\0\0A\0\x06\0#\x01\0\0$\x01\0\0\x1C\x01\0\0.\0\0\0*\0\0\0=\0\x04\0\x03\0\0\0%\x01\0\0$\x01\0\0\x85\0\x05\0\x03\0\0\0&\x01\0\0!\x01\0\0%\x01\0\0A\0\x06\0#\x01\0\0'\x01\0\0\x1C\x01\0\0.\0\0\0\t\0\0\0=\0\x04\0\x03\0\0\0(\x01\0\0'\x01\0\0\x81\0\x05\0\x03\0\0\0)\x01\0\0&\x01\0\0(\x01\0\0\xBA\0\x05\0\x12\0\0\0*\x01\0\0!\x01\0\0b\0\0\0\xA9\0\x06\0\x03\0\0\0+\x01\0\0*\x01\0\0)\x01\0\0b\0\0\0\xFE\0\x02\0+\x01\0\08\0\x01\x006\0\x05\0\x10\0\0\0.\x01\0\0\0\0\0\0/\x01\0\x007\0\x03\0\x04\0\0\0-\x01\0\0\xF8\0\x02\0,\x01\0\0A\0\x05\0\x1B\x01\0\x000\x01\0\0\x1A\0\0\0*\0\0\0=\0\x04\0\x0E\0\0\x001\x01\0\0\x1D\0\0\0\xF9\0\x02\x002\x01\0\0\xF8\0\x02\x002\x01\0\0g\0\x05\x003\x01\0\x004\x01\0\x001\x01\0\0*\0\0\0p\0\x04\0\x04\0\0\x005\x01\0\x004\x01\0\0\x88\0\x05\0\x04\0\0\x006\x01\0\0-\x01\0\x005\x01\0\0A\0\x05\x005\0\0\x007\x01\0\x000\x01\0\0*\0\0\0=\0\x04\0\x06\0\0\08\x01\0\x007\x01\0\0O\0\x08\0\x10\0\0\09\x01\0\08\x01\0\08\x01\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0A\0\x05\x005\0\0\0:\x01\0\x000\x01\0\0\t\0\0\0=\0\x04\0\x06\0\0\0;\x01\0\0:\x01\0\0O\0\x08\0\x10\0\0\0<\x01\0\0;\x01\0\0;\x01\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0Q\0\x05\0\x03\0\0\0=\x01\0\x006\x01\0\0\0\0\0\0\x8E\0\x05\0\x10\0\0\0>\x01\0\0<\x01\0\0=\x01\0\0\x81\0\x05\0\x10\0\0\0?\x01\0\09\x01\0\0>\x01\0\0A\0\x05\x005\0\0\0@\x01\0\x000\x01\0\0T\0\0\0=\0\x04\0\x06\0\0\0A\x01\0\0@\x01\0\0O\0\x08\0\x10\0\0\0B\x01\0\0A\x01\0\0A\x01\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0Q\0\x05\0\x03\0\0\0C\x01\0\x006\x01\0\0\x01\0\0\0\x8E\0\x05\0\x10\0\0\0D\x01\0\0B\x01\0\0C\x01\0\0\x81\0\x05\0\x10\0\0\0E\x01\0\0?\x01\0\0D\x01\0\0\xFE\0\x02\0E\x01\0\08\0\x01\x006\0\x05\0\x03\0\0\0J\x01\0\0\0\0\0\0K\x01\0\x007\0\x03\0\x15\0\0\0G\x01\0\x007\0\x03\0\x15\0\0\0H\x01\0\x007\0\x03\0\x03\0\0\0I\x01\0\0\xF8\0\x02\0F\x01\0\0;\0\x05\0d\0\0\0T\x01\0\0\x07\0\0\0U\x01\0\0;\0\x05\0d\0\0\0V\x01\0\0\x07\0\0\0W\x01\0\0A\0\x05\0\x1B\x01\0\0L\x01\0\0\x1A\0\0\0*\0\0\0=\0\x04\0\x0E\0\0\0M\x01\0\0\x1D\0\0\0\xF9\0\x02\0X\x01\0\0\xF8\0\x02\0X\x01\0\0g\0\x05\x003\x01\0\0Y\x01\0\0M\x01\0\0*\0\0\0|\0\x04\0\x15\0\0\0Z\x01\0\0Y\x01\0\0\x82\0\x05\0\x15\0\0\0[\x01\0\0Z\x01\0\0O\x01\0\0\x82\0\x05\0\x15\0\0\0\\\x01\0\0G\x01\0\0H\x01\0\0\x0C\0\x07\0\x15\0\0\0]\x01\0\0\x01\0\0\0*\0\0\0\\\x01\0\0P\x01\0\09\0\x05\0\x03\0\0\0^\x01\0\0\x19\x01\0\0]\x01\0\0P\0\x05\0\x15\0\0\0`\x01\0\0Q\x01\0\0Q\x01\0\0\x84\0\x05\0\x15\0\0\0_\x01\0\0H\x01\0\0`\x01\0\0\x82\0\x05\0\x15\0\0\0a\x01\0\0G\x01\0\0_\x01\0\0\x0C\0\x07\0\x15\0\0\0b\x01\0\0\x01\0\0\0*\0\0\0a\x01\0\0P\x01\0\09\0\x05\0\x03\0\0\0c\x01\0\0\x19\x01\0\0b\x01\0\0\x80\0\x05\0\x15\0\0\0d\x01\0\0G\x01\0\0H\x01\0\0\x0C\0\x07\0\x15\0\0\0e\x01\0\0\x01\0\0\0'\0\0\0d\x01\0\0[\x01\0\09\0\x05\0\x03\0\0\0f\x01\0\0\x19\x01\0\0e\x01\0\0P\0\x05\0\x15\0\0\0h\x01\0\0Q\x01\0\0Q\x01\0\0\x84\0\x05\0\x15\0\0\0g\x01\0\0H\x01\0\0h\x01\0\0\x80\0\x05\0\x15\0\0\0i\x01\0\0G\x01\0\0g\x01\0\0\x0C\0\x07\0\x15\0\0\0j\x01\0\0\x01\0\0\0'\0\0\0i\x01\0\0[\x01\0\09\0\x05\0\x03\0\0\0k\x01\0\0\x19\x01\0\0j\x01\0\0\x85\0\x05\0\x03\0\0\0l\x01\0\0R\x01\0\0^\x01\0\0\x83\0\x05\0\x03\0\0\0m\x01\0\0l\x01\0\0c\x01\0\0\x83\0\x05\0\x03\0\0\0n\x01\0\0m\x01\0\0I\x01\0\0\x0C\0\x06\0\x03\0\0\0o\x01\0\0\x01\0\0\0\x04\0\0\0n\x01\0\0\x85\0\x05\0\x03\0\0\0p\x01\0\0R\x01\0\0f\x01\0\0\x83\0\x05\0\x03\0\0\0q\x01\0\0p\x01\0\0k\x01\0\0\x83\0\x05\0\x03\0\0\0r\x01\0\0q\x01\0\0I\x01\0\0\x0C\0\x06\0\x03\0\0\0s\x01\0\0\x01\0\0\0\x04\0\0\0r\x01\0\0P\0\x05\0\x15\0\0\0u\x01\0\0Q\x01\0\0Q\x01\0\0\x84\0\x05\0\x15\0\0\0t\x01\0\0H\x01\0\0u\x01\0\0\x82\0\x05\0\x15\0\0\0v\x01\0\0G\x01\0\0t\x01\0\0\xB1\0\x05\0~\0\0\0w\x01\0\0v\x01\0\0P\x01\0\0\x9A\0\x04\0\x12\0\0\0x\x01\0\0w\x01\0\0P\0\x05\0\x15\0\0\0z\x01\0\0Q\x01\0\0Q\x01\0\0\x84\0\x05\0\x15\0\0\0y\x01\0\0H\x01\0\0z\x01\0\0\x80\0\x05\0\x15\0\0\0{\x01\0\0G\x01\0\0y\x01\0\0\xAD\0\x05\0~\0\0\0|\x01\0\0{\x01\0\0[\x01\0\0\x9A\0\x04\0\x12\0\0\0}\x01\0\0|\x01\0\0\xA8\0\x04\0\x12\0\0\0~\x01\0\0x\x01\0\0\xF7\0\x03\0\x7F\x01\0\0\0\0\0\0\xFA\0\x04\0~\x01\0\0\x80\x01\0\0\x81\x01\0\0\xF8\0\x02\0\x80\x01\0\0\xA8\0\x04\0\x12\0\0\0\x82\x01\0\0}\x01\0\0\xF7\0\x03\0\x83\x01\0\0\0\0\0\0\xFA\0\x04\0\x82\x01\0\0\x84\x01\0\0\x85\x01\0\0\xF8\0\x02\0\x84\x01\0\0\xBC\0\x05\0\x12\0\0\0\x86\x01\0\0o\x01\0\0s\x01\0\0>\0\x03\0V\x01\0\0\x86\x01\0\0\xF9\0\x02\0\x83\x01\0\0\xF8\0\x02\0\x85\x01\0\0>\0\x03\0V\x01\0\0S\x01\0\0\xF9\0\x02\0\x83\x01\0\0\xF8\0\x02\0\x83\x01\0\0=\0\x04\0\x12\0\0\0\x87\x01\0\0V\x01\0\0>\0\x03\0T\x01\0\0\x87\x01\0\0\xF9\0\x02\0\x7F\x01\0\0\xF8\0\x02\0\x81\x01\0\0>\0\x03\0T\x01\0\0a\0\0\0\xF9\0\x02\0\x7F\x01\0\0\xF8\0\x02\0\x7F\x01\0\0=\0\x04\0\x12\0\0\0\x88\x01\0\0T\x01\0\0\x83\0\x05\0\x03\0\0\0\x89\x01\0\0f\x01\0\0I\x01\0\0\x83\0\x05\0\x03\0\0\0\x8A\x01\0\0I\x01\0\0^\x01\0\0\xA9\0\x06\0\x03\0\0\0\x8B\x01\0\0\x88\x01\0\0\x8A\x01\0\0\x89\x01\0\0\xFE\0\x02\0\x8B\x01\0\08\0\x01\x006\0\x05\0\x10\0\0\0\x90\x01\0\0\0\0\0\0\x91\x01\0\x007\0\x03\0\x15\0\0\0\x8D\x01\0\x007\0\x03\0\x10\0\0\0\x8E\x01\0\x007\0\x03\0\x03\0\0\0\x8F\x01\0\0\xF8\0\x02\0\x8C\x01\0\0A\0\x05\0\x1B\x01\0\0\x92\x01\0\0\x1A\0\0\0*\0\0\0=\0\x04\0\x0E\0\0\0\x93\x01\0\0\x1D\0\0\0\xF9\0\x02\0\x96\x01\0\0\xF8\0\x02\0\x96\x01\0\0g\0\x05\x003\x01\0\0\x97\x01\0\0\x93\x01\0\0*\0\0\0p\0\x04\0\x04\0\0\0\x98\x01\0\0\x97\x01\0\09\0\x07\0\x03\0\0\0\x99\x01\0\0J\x01\0\0\x8D\x01\0\0\x94\x01\0\0\x8F\x01\0\0Q\0\x05\0\x03\0\0\0\x9A\x01\0\0\x98\x01\0\0\0\0\0\0\x85\0\x05\0\x03\0\0\0\x9B\x01\0\0\x99\x01\0\0\x9A\x01\0\09\0\x07\0\x03\0\0\0\x9C\x01\0\0J\x01\0\0\x8D\x01\0\0\x95\x01\0\0\x8F\x01\0\0Q\0\x05\0\x03\0\0\0\x9D\x01\0\0\x98\x01\0\0\x01\0\0\0\x85\0\x05\0\x03\0\0\0\x9E\x01\0\0\x9C\x01\0\0\x9D\x01\0\0A\0\x05\x005\0\0\0\x9F\x01\0\0\x92\x01\0\0\t\0\0\0=\0\x04\0\x06\0\0\0\xA0\x01\0\0\x9F\x01\0\0O\0\x08\0\x10\0\0\0\xA1\x01\0\0\xA0\x01\0\0\xA0\x01\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0A\0\x05\x005\0\0\0\xA2\x01\0\0\x92\x01\0\0T\0\0\0=\0\x04\0\x06\0\0\0\xA3\x01\0\0\xA2\x01\0\0O\0\x08\0\x10\0\0\0\xA4\x01\0\0\xA3\x01\0\0\xA3\x01\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0\x0C\0\x07\0\x10\0\0\0\xA5\x01\0\0\x01\0\0\0D\0\0\0\xA1\x01\0\0\xA4\x01\0\0\x8E\0\x05\0\x10\0\0\0\xA6\x01\0\0\xA5\x01\0\0\x8F\x01\0\0\x0C\0\x07\0\x10\0\0\0\xA7\x01\0\0\x01\0\0\0D\0\0\0\xA4\x01\0\0\x8E\x01\0\0\x8E\0\x05\0\x10\0\0\0\xA8\x01\0\0\xA7\x01\0\0\x9B\x01\0\0\x81\0\x05\0\x10\0\0\0\xA9\x01\0\0\xA6\x01\0\0\xA8\x01\0\0\x0C\0\x07\0\x10\0\0\0\xAA\x01\0\0\x01\0\0\0D\0\0\0\x8E\x01\0\0\xA1\x01\0\0\x8E\0\x05\0\x10\0\0\0\xAB\x01\0\0\xAA\x01\0\0\x9E\x01\0\0\x81\0\x05\0\x10\0\0\0\xAC\x01\0\0\xA9\x01\0\0\xAB\x01\0\0\x7F\0\x04\0\x10\0\0\0\xAD\x01\0\0\xAC\x01\0\0\x94\0\x05\0\x03\0\0\0\xAE\x01\0\0\xAC\x01\0\0\x8E\x01\0\0\xBA\0\x05\0\x12\0\0\0\xAF\x01\0\0\xAE\x01\0\0b\0\0\0P\0\x06\0\xB1\x01\0\0\xB2\x01\0\0\xAF\x01\0\0\xAF\x01\0\0\xAF\x01\0\0\xA9\0\x06\0\x10\0\0\0\xB0\x01\0\0\xB2\x01\0\0\xAD\x01\0\0\xAC\x01\0\0\x0C\0\x06\0\x10\0\0\0\xB3\x01\0\0\x01\0\0\0E\0\0\0\xB0\x01\0\0\xFE\0\x02\0\xB3\x01\0\08\0\x01\x006\0\x05\0\x02\0\0\0\xBA\x01\0\0\0\0\0\0\xBB\x01\0\0\xF8\0\x02\0\xB4\x01\0\0=\0\x04\0\x05\0\0\0\xB7\x01\0\0\xB5\x01\0\0\xF9\0\x02\0\xBE\x01\0\0\xF8\0\x02\0\xBE\x01\0\0\xAA\0\x05\0\x12\0\0\0\xBF\x01\0\0\xB7\x01\0\0T\0\0\0\xA9\0\x06\0\x03\0\0\0\xC0\x01\0\0\xBF\x01\0\0\xBC\x01\0\0\xA0\0\0\0\xAA\0\x05\0\x12\0\0\0\xC1\x01\0\0\xB7\x01\0\0\t\0\0\0\xA9\0\x06\0\x03\0\0\0\xC2\x01\0\0\xC1\x01\0\0\xBD\x01\0\0\x19\0\0\0P\0\x07\0\x06\0\0\0\xC3\x01\0\0\xC0\x01\0\0\xC2\x01\0\0b\0\0\0\x19\0\0\0>\0\x03\0\xB8\x01\0\0\xC3\x01\0\0\xFD\0\x01\08\0\x01\x006\0\x05\0\x02\0\0\0\xC9\x01\0\0\0\0\0\0\xBB\x01\0\0\xF8\0\x02\0\xC4\x01\0\0=\0\x04\0\x06\0\0\0\xC7\x01\0\0\xC5\x01\0\0A\0\x05\0\x1B\x01\0\0\xCA\x01\0\0\x1A\0\0\0*\0\0\0=\0\x04\0\x0E\0\0\0\xCB\x01\0\0\x1D\0\0\0A\0\x05\0)\0\0\0\xCC\x01\0\0\x1F\0\0\0*\0\0\0=\0\x04\0\x0E\0\0\0\xCD\x01\0\0\"\0\0\0=\0\x04\0\x0F\0\0\0\xCE\x01\0\0#\0\0\0\xF9\0\x02\0\xD0\x01\0\0\xF8\0\x02\0\xD0\x01\0\0O\0\x07\0\x04\0\0\0\xD1\x01\0\0\xC7\x01\0\0\xC7\x01\0\0\0\0\0\0\x01\0\0\0\x0C\0\x08\0\x04\0\0\0\xD6\x01\0\0\x01\0\0\0+\0\0\0\xD1\x01\0\0\xD3\x01\0\0\xD5\x01\0\0n\0\x04\0\x15\0\0\0\xD7\x01\0\0\xD6\x01\0\09\0\x05\0\x03\0\0\0\xD8\x01\0\0\x19\x01\0\0\xD7\x01\0\0\xBC\0\x05\0\x12\0\0\0\xD9\x01\0\0\xD8\x01\0\0b\0\0\0\xF7\0\x03\0\xDA\x01\0\0\0\0\0\0\xFA\0\x04\0\xD9\x01\0\0\xDB\x01\0\0\xDA\x01\0\0\xF8\0\x02\0\xDB\x01\0\0>\0\x03\0\xC8\x01\0\0\xCF\x01\0\0\xFD\0\x01\0\xF8\0\x02\0\xDA\x01\0\0O\0\x07\0\x04\0\0\0\xDC\x01\0\0\xC7\x01\0\0\xC7\x01\0\0\0\0\0\0\x01\0\0\09\0\x05\0\x10\0\0\0\xDD\x01\0\0.\x01\0\0\xDC\x01\0\0O\0\x07\0\x04\0\0\0\xDE\x01\0\0\xC7\x01\0\0\xC7\x01\0\0\0\0\0\0\x01\0\0\0\x0C\0\x08\0\x04\0\0\0\xDF\x01\0\0\x01\0\0\0+\0\0\0\xDE\x01\0\0\xD3\x01\0\0\xD5\x01\0\0n\0\x04\0\x15\0\0\0\xE0\x01\0\0\xDF\x01\0\09\0\x07\0\x10\0\0\0\xE1\x01\0\0\x90\x01\0\0\xE0\x01\0\0\xDD\x01\0\0\xD8\x01\0\0P\0\x06\0\x10\0\0\0\xE2\x01\0\0\xD8\x01\0\0\xD8\x01\0\0\xD8\x01\0\0\x88\0\x05\0\x10\0\0\0\xE3\x01\0\0\xDD\x01\0\0\xE2\x01\0\09\0\x06\0\x03\0\0\0\xE4\x01\0\0\x05\x01\0\0\xE3\x01\0\0\xE1\x01\0\0P\0\x07\0\x06\0\0\0\xE5\x01\0\0\xE4\x01\0\0b\0\0\0b\0\0\0\x19\0\0\0>\0\x03\0\xC8\x01\0\0\xE5\x01\0\0\xFD\0\x01\08\0\x01\0";
+    pub const MASK_SPIRV: &[u8] = b"\x03\x02#\x07\0\x03\x01\0\x1C\0\0\0\xFE\x01\0\0\0\0\0\0\x11\0\x02\0\x01\0\0\0\x11\0\x02\x002\0\0\0\x0B\0\x06\0\x01\0\0\0GLSL.std.450\0\0\0\0\x0E\0\x03\0\0\0\0\0\x01\0\0\0\x0F\0\x0B\0\0\0\0\0\xD2\x01\0\0pssm_log_mask_vertex\0\0\0\0\xCD\x01\0\0\xD0\x01\0\0\x0F\0\x0B\0\x04\0\0\0\xE1\x01\0\0pssm_log_mask_fragment\0\0\xDD\x01\0\0\xE0\x01\0\0\x10\0\x03\0\xE1\x01\0\0\x07\0\0\0H\0\x05\0\x07\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x07\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x07\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x07\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x07\0\0\0\x04\0\0\0#\0\0\0@\0\0\0H\0\x05\0\x07\0\0\0\x05\0\0\0#\0\0\0P\0\0\0H\0\x05\0\x07\0\0\0\x06\0\0\0#\0\0\0`\0\0\0G\0\x04\0\x08\0\0\0\x06\0\0\0\x10\0\0\0G\0\x04\0\n\0\0\0\x06\0\0\0p\0\0\0H\0\x05\0\x0C\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x0C\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x0C\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\r\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\r\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\r\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\r\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x13\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x13\0\0\0\x01\0\0\0#\0\0\0\x0C\0\0\0H\0\x05\0\x13\0\0\0\x02\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x13\0\0\0\x03\0\0\0#\0\0\0\x18\0\0\0H\0\x05\0\x14\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x14\0\0\0\x01\0\0\0#\0\0\0\x08\0\0\0H\0\x05\0\x14\0\0\0\x02\0\0\0#\0\0\0\x10\0\0\0G\0\x04\0\x1A\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x1A\0\0\0!\0\0\0\0\0\0\0G\0\x03\0\x1B\0\0\0\x02\0\0\0H\0\x05\0\x1B\0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\0\x1D\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x1D\0\0\0!\0\0\0\x01\0\0\0G\0\x04\0\x1F\0\0\0\"\0\0\0\x01\0\0\0G\0\x04\0\x1F\0\0\0!\0\0\0\0\0\0\0G\0\x03\0 \0\0\0\x02\0\0\0H\0\x05\0 \0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\0\"\0\0\0\"\0\0\0\x01\0\0\0G\0\x04\0\"\0\0\0!\0\0\0\x01\0\0\0G\0\x04\0#\0\0\0\"\0\0\0\x01\0\0\0G\0\x04\0#\0\0\0!\0\0\0\x02\0\0\0G\0\x04\0\xCD\x01\0\0\x0B\0\0\0*\0\0\0G\0\x04\0\xD0\x01\0\0\x0B\0\0\0\0\0\0\0G\0\x04\0\xDD\x01\0\0\x0B\0\0\0\x0F\0\0\0G\0\x04\0\xE0\x01\0\0\x1E\0\0\0\0\0\0\0\x13\0\x02\0\x02\0\0\0\x16\0\x03\0\x03\0\0\0 \0\0\0\x17\0\x04\0\x04\0\0\0\x03\0\0\0\x02\0\0\0\x15\0\x04\0\x05\0\0\0 \0\0\0\0\0\0\0\x17\0\x04\0\x06\0\0\0\x03\0\0\0\x04\0\0\0\x1E\0\t\0\x07\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0\x03\0\0\0+\0\x04\0\x05\0\0\0\t\0\0\0\x01\0\0\0\x1C\0\x04\0\x08\0\0\0\x06\0\0\0\t\0\0\0+\0\x04\0\x05\0\0\0\x0B\0\0\0\x04\0\0\0\x1C\0\x04\0\n\0\0\0\x07\0\0\0\x0B\0\0\0\x1E\0\x05\0\x0C\0\0\0\x08\0\0\0\x08\0\0\0\n\0\0\0\x1E\0\x06\0\r\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0\x04\0\0\0\x19\0\t\0\x0E\0\0\0\x03\0\0\0\x01\0\0\0\x01\0\0\0\0\0\0\0\0\0\0\0\x01\0\0\0\0\0\0\0\x1A\0\x02\0\x0F\0\0\0\x17\0\x04\0\x10\0\0\0\x03\0\0\0\x03\0\0\0\x17\0\x04\0\x11\0\0\0\x05\0\0\0\x04\0\0\0\x14\0\x02\0\x12\0\0\0\x1E\0\x06\0\x13\0\0\0\x10\0\0\0\x03\0\0\0\x04\0\0\0\x12\0\0\0\x1E\0\x05\0\x14\0\0\0\x04\0\0\0\x03\0\0\0\x04\0\0\0\x15\0\x04\0\x16\0\0\0 \0\0\0\x01\0\0\0\x17\0\x04\0\x15\0\0\0\x16\0\0\0\x02\0\0\0+\0\x04\0\x03\0\0\0\x17\0\0\0\0\0\0E,\0\x05\0\x04\0\0\0\x18\0\0\0\x17\0\0\0\x17\0\0\0+\0\x04\0\x03\0\0\0\x19\0\0\0\0\0\x80?\x1E\0\x03\0\x1B\0\0\0\r\0\0\0 \0\x04\0\x1C\0\0\0\x02\0\0\0\x1B\0\0\0;\0\x04\0\x1C\0\0\0\x1A\0\0\0\x02\0\0\0 \0\x04\0\x1E\0\0\0\0\0\0\0\x0E\0\0\0;\0\x04\0\x1E\0\0\0\x1D\0\0\0\0\0\0\0\x1E\0\x03\0 \0\0\0\x0C\0\0\0 \0\x04\0!\0\0\0\x02\0\0\0 \0\0\0;\0\x04\0!\0\0\0\x1F\0\0\0\x02\0\0\0;\0\x04\0\x1E\0\0\0\"\0\0\0\0\0\0\0 \0\x04\0$\0\0\0\0\0\0\0\x0F\0\0\0;\0\x04\0$\0\0\0#\0\0\0\0\0\0\0!\0\x04\0(\0\0\0\x10\0\0\0\x10\0\0\0!\0\x04\x001\0\0\0\x05\0\0\0\x10\0\0\0 \0\x04\x002\0\0\0\x02\0\0\0\x0C\0\0\0+\0\x04\0\x05\0\0\x003\0\0\0\0\0\0\0,\0\x07\0\x11\0\0\x005\0\0\x003\0\0\x003\0\0\x003\0\0\x003\0\0\0,\0\x07\0\x11\0\0\x006\0\0\0\t\0\0\0\t\0\0\0\t\0\0\0\t\0\0\0+\0\x04\0\x05\0\0\x007\0\0\0\x03\0\0\0 \0\x04\09\0\0\0\x07\0\0\0\x11\0\0\0 \0\x04\0;\0\0\0\x07\0\0\0\x05\0\0\0 \0\x04\0=\0\0\0\x02\0\0\0\x08\0\0\0 \0\x04\0>\0\0\0\x02\0\0\0\x06\0\0\0\x17\0\x04\0R\0\0\0\x12\0\0\0\x04\0\0\0+\0\x04\0\x05\0\0\0]\0\0\0\x02\0\0\0!\0\x05\0i\0\0\0\x13\0\0\0\x07\0\0\0\x10\0\0\0*\0\x03\0\x12\0\0\0j\0\0\0+\0\x04\0\x03\0\0\0k\0\0\0\0\0\0\0 \0\x04\0m\0\0\0\x07\0\0\0\x12\0\0\0.\0\x03\0\x12\0\0\0n\0\0\0.\0\x03\0\x12\0\0\0p\0\0\0\x17\0\x04\0\x87\0\0\0\x12\0\0\0\x02\0\0\0!\0\x04\0\x9B\0\0\0\x03\0\0\0\x03\0\0\0!\0\x05\0\xA2\0\0\0\x06\0\0\0\x06\0\0\0\x06\0\0\0,\0\x07\0\x06\0\0\0\xA3\0\0\0k\0\0\0k\0\0\0k\0\0\0k\0\0\0,\0\x07\0\x06\0\0\0\xA4\0\0\0\x19\0\0\0\x19\0\0\0\x19\0\0\0\x19\0\0\0!\0\x05\0\xAC\0\0\0\x03\0\0\0\x14\0\0\0\x04\0\0\0!\0\x06\0\xB8\0\0\0\x14\0\0\0\x07\0\0\0\x13\0\0\0\x10\0\0\0+\0\x04\0\x03\0\0\0\xB9\0\0\0\0\0\x80\xBF,\0\x05\0\x04\0\0\0\xBA\0\0\0\xB9\0\0\0\xB9\0\0\0,\0\x05\0\x04\0\0\0\xBB\0\0\0\x19\0\0\0\x19\0\0\0,\0\x05\0\x04\0\0\0\xBC\0\0\0k\0\0\0k\0\0\0!\0\x04\0\xEE\0\0\0\x03\0\0\0\x14\0\0\0+\0\x04\0\x03\0\0\0\xF1\0\0\0\0\0\0?,\0\x05\0\x04\0\0\0\xF2\0\0\0\xF1\0\0\0\xF1\0\0\0+\0\x04\0\x03\0\0\0\xF3\0\0\0\0\0\0\xBF,\0\x05\0\x04\0\0\0\xF4\0\0\0\xF3\0\0\0\xF1\0\0\0,\0\x05\0\x04\0\0\0\xF5\0\0\0\xF1\0\0\0\xF1\0\0\0,\0\x05\0\x04\0\0\0\xF6\0\0\0\xF1\0\0\0\xF3\0\0\0,\0\x05\0\x04\0\0\0\xF7\0\0\0\xF3\0\0\0\xF3\0\0\0\x1B\0\x03\0\xFE\0\0\0\x0E\0\0\0!\0\x05\0\x1C\x01\0\0\x03\0\0\0\x10\0\0\0\x10\0\0\0 \0\x04\0\"\x01\0\0\x02\0\0\0\n\0\0\0 \0\x04\0$\x01\0\0\x02\0\0\0\x07\0\0\0!\0\x04\x002\x01\0\0\x03\0\0\0\x15\0\0\0 \0\x04\x003\x01\0\0\x02\0\0\0\r\0\0\0+\0\x04\0\x16\0\0\x006\x01\0\0\0\0\0\0 \0\x04\0:\x01\0\0\x02\0\0\0\x04\0\0\0 \0\x04\0;\x01\0\0\x02\0\0\0\x03\0\0\0!\0\x04\0G\x01\0\0\x10\0\0\0\x04\0\0\0\x17\0\x04\0K\x01\0\0\x05\0\0\0\x02\0\0\0!\0\x06\0c\x01\0\0\x03\0\0\0\x15\0\0\0\x15\0\0\0\x03\0\0\0+\0\x04\0\x16\0\0\0f\x01\0\0\x01\0\0\0,\0\x05\0\x15\0\0\0g\x01\0\0f\x01\0\0f\x01\0\0,\0\x05\0\x15\0\0\0h\x01\0\x006\x01\0\x006\x01\0\0+\0\x04\0\x16\0\0\0i\x01\0\0\x02\0\0\0+\0\x04\0\x03\0\0\0j\x01\0\0\0\0\0@)\0\x03\0\x12\0\0\0k\x01\0\0.\0\x03\0\x12\0\0\0m\x01\0\0.\0\x03\0\x12\0\0\0o\x01\0\0!\0\x06\0\xA9\x01\0\0\x10\0\0\0\x15\0\0\0\x10\0\0\0\x03\0\0\0,\0\x05\0\x15\0\0\0\xAC\x01\0\0f\x01\0\x006\x01\0\0,\0\x05\0\x15\0\0\0\xAD\x01\0\x006\x01\0\0f\x01\0\0\x17\0\x04\0\xC9\x01\0\0\x12\0\0\0\x03\0\0\0 \0\x04\0\xCE\x01\0\0\x01\0\0\0\x05\0\0\0;\0\x04\0\xCE\x01\0\0\xCD\x01\0\0\x01\0\0\0 \0\x04\0\xD1\x01\0\0\x03\0\0\0\x06\0\0\0;\0\x04\0\xD1\x01\0\0\xD0\x01\0\0\x03\0\0\0!\0\x03\0\xD3\x01\0\0\x02\0\0\0+\0\x04\0\x03\0\0\0\xD4\x01\0\0\0\0@@+\0\x04\0\x03\0\0\0\xD5\x01\0\0\0\0@\xC0 \0\x04\0\xDE\x01\0\0\x01\0\0\0\x06\0\0\0;\0\x04\0\xDE\x01\0\0\xDD\x01\0\0\x01\0\0\0;\0\x04\0\xD1\x01\0\0\xE0\x01\0\0\x03\0\0\0,\0\x07\0\x06\0\0\0\xE7\x01\0\0\x19\0\0\0k\0\0\0k\0\0\0\x19\0\0\0+\0\x04\0\x03\0\0\0\xEA\x01\0\0\0\0\0\xCF,\0\x05\0\x04\0\0\0\xEB\x01\0\0\xEA\x01\0\0\xEA\x01\0\0+\0\x04\0\x03\0\0\0\xEC\x01\0\0\xFF\xFF\xFFN,\0\x05\0\x04\0\0\0\xED\x01\0\0\xEC\x01\0\0\xEC\x01\0\x006\0\x05\0\x10\0\0\0'\0\0\0\0\0\0\0(\0\0\x007\0\x03\0\x10\0\0\0&\0\0\0\xF8\0\x02\0%\0\0\0\xF9\0\x02\0)\0\0\0\xF8\0\x02\0)\0\0\0\xFE\0\x02\0&\0\0\08\0\x01\x006\0\x05\0\x10\0\0\0,\0\0\0\0\0\0\0(\0\0\x007\0\x03\0\x10\0\0\0+\0\0\0\xF8\0\x02\0*\0\0\0\xF9\0\x02\0-\0\0\0\xF8\0\x02\0-\0\0\0\xFE\0\x02\0+\0\0\08\0\x01\x006\0\x05\0\x05\0\0\x000\0\0\0\0\0\0\x001\0\0\x007\0\x03\0\x10\0\0\0/\0\0\0\xF8\0\x02\0.\0\0\0;\0\x05\09\0\0\08\0\0\0\x07\0\0\x005\0\0\0;\0\x05\0;\0\0\0:\0\0\0\x07\0\0\x003\0\0\0A\0\x05\x002\0\0\x004\0\0\0\x1F\0\0\x003\0\0\0\xF9\0\x02\0<\0\0\0\xF8\0\x02\0<\0\0\0A\0\x06\0>\0\0\0?\0\0\x004\0\0\x003\0\0\x003\0\0\0=\0\x04\0\x06\0\0\0@\0\0\0?\0\0\0P\0\x05\0\x06\0\0\0A\0\0\0/\0\0\0\x19\0\0\0\x94\0\x05\0\x03\0\0\0B\0\0\0@\0\0\0A\0\0\0\xF9\0\x02\0C\0\0\0\xF8\0\x02\0C\0\0\0\xF6\0\x04\0D\0\0\0F\0\0\0\0\0\0\0\xF9\0\x02\0E\0\0\0\xF8\0\x02\0E\0\0\0=\0\x04\0\x05\0\0\0G\0\0\0:\0\0\0\xB0\0\x05\0\x12\0\0\0H\0\0\0G\0\0\0\t\0\0\0\xF7\0\x03\0I\0\0\0\0\0\0\0\xFA\0\x04\0H\0\0\0I\0\0\0J\0\0\0\xF8\0\x02\0J\0\0\0\xF9\0\x02\0D\0\0\0\xF8\0\x02\0I\0\0\0\xF9\0\x02\0K\0\0\0\xF8\0\x02\0K\0\0\0=\0\x04\0\x11\0\0\0M\0\0\08\0\0\0P\0\x07\0\x06\0\0\0N\0\0\0B\0\0\0B\0\0\0B\0\0\0B\0\0\0=\0\x04\0\x05\0\0\0O\0\0\0:\0\0\0A\0\x06\0>\0\0\0P\0\0\x004\0\0\0\t\0\0\0O\0\0\0=\0\x04\0\x06\0\0\0Q\0\0\0P\0\0\0\xBE\0\x05\0R\0\0\0S\0\0\0N\0\0\0Q\0\0\0\xA9\0\x06\0\x11\0\0\0T\0\0\0S\0\0\x006\0\0\x005\0\0\0\x80\0\x05\0\x11\0\0\0U\0\0\0M\0\0\0T\0\0\0>\0\x03\08\0\0\0U\0\0\0\xF9\0\x02\0L\0\0\0\xF8\0\x02\0L\0\0\0\xF9\0\x02\0F\0\0\0\xF8\0\x02\0F\0\0\0=\0\x04\0\x05\0\0\0V\0\0\0:\0\0\0\x80\0\x05\0\x05\0\0\0W\0\0\0V\0\0\0\t\0\0\0>\0\x03\0:\0\0\0W\0\0\0\xF9\0\x02\0C\0\0\0\xF8\0\x02\0D\0\0\0A\0\x05\0;\0\0\0X\0\0\08\0\0\x003\0\0\0=\0\x04\0\x05\0\0\0Y\0\0\0X\0\0\0A\0\x05\0;\0\0\0Z\0\0\08\0\0\0\t\0\0\0=\0\x04\0\x05\0\0\0[\0\0\0Z\0\0\0\x80\0\x05\0\x05\0\0\0\\\0\0\0Y\0\0\0[\0\0\0A\0\x05\0;\0\0\0^\0\0\08\0\0\0]\0\0\0=\0\x04\0\x05\0\0\0_\0\0\0^\0\0\0\x80\0\x05\0\x05\0\0\0`\0\0\0\\\0\0\0_\0\0\0A\0\x05\0;\0\0\0a\0\0\08\0\0\x007\0\0\0=\0\x04\0\x05\0\0\0b\0\0\0a\0\0\0\x80\0\x05\0\x05\0\0\0c\0\0\0`\0\0\0b\0\0\0\x0C\0\x07\0\x05\0\0\0d\0\0\0\x01\0\0\0&\0\0\0c\0\0\x007\0\0\0\xFE\0\x02\0d\0\0\08\0\x01\x006\0\x05\0\x13\0\0\0h\0\0\0\0\0\0\0i\0\0\x007\0\x03\0\x07\0\0\0f\0\0\x007\0\x03\0\x10\0\0\0g\0\0\0\xF8\0\x02\0e\0\0\0;\0\x05\0m\0\0\0l\0\0\0\x07\0\0\0n\0\0\0;\0\x05\0m\0\0\0o\0\0\0\x07\0\0\0p\0\0\0\xF9\0\x02\0q\0\0\0\xF8\0\x02\0q\0\0\0P\0\x05\0\x06\0\0\0r\0\0\0g\0\0\0\x19\0\0\0Q\0\x05\0\x06\0\0\0s\0\0\0f\0\0\0\x03\0\0\0\x94\0\x05\0\x03\0\0\0t\0\0\0s\0\0\0r\0\0\0Q\0\x05\0\x06\0\0\0u\0\0\0f\0\0\0\0\0\0\0\x94\0\x05\0\x03\0\0\0v\0\0\0u\0\0\0r\0\0\0Q\0\x05\0\x06\0\0\0w\0\0\0f\0\0\0\x01\0\0\0\x94\0\x05\0\x03\0\0\0x\0\0\0w\0\0\0r\0\0\0Q\0\x05\0\x06\0\0\0y\0\0\0f\0\0\0\x02\0\0\0\x94\0\x05\0\x03\0\0\0z\0\0\0y\0\0\0r\0\0\0P\0\x06\0\x10\0\0\0{\0\0\0v\0\0\0x\0\0\0z\0\0\0P\0\x06\0\x10\0\0\0|\0\0\0t\0\0\0t\0\0\0t\0\0\0\x88\0\x05\0\x10\0\0\0}\0\0\0{\0\0\0|\0\0\0O\0\x07\0\x04\0\0\0~\0\0\0}\0\0\0}\0\0\0\0\0\0\0\x01\0\0\0Q\0\x05\0\x06\0\0\0\x7F\0\0\0f\0\0\0\x04\0\0\0O\0\x07\0\x04\0\0\0\x80\0\0\0\x7F\0\0\0\x7F\0\0\0\0\0\0\0\x01\0\0\0\x85\0\x05\0\x04\0\0\0\x81\0\0\0~\0\0\0\x80\0\0\0Q\0\x05\0\x06\0\0\0\x82\0\0\0f\0\0\0\x04\0\0\0O\0\x07\0\x04\0\0\0\x83\0\0\0\x82\0\0\0\x82\0\0\0\x02\0\0\0\x03\0\0\0\x81\0\x05\0\x04\0\0\0\x84\0\0\0\x81\0\0\0\x83\0\0\0Q\0\x05\0\x06\0\0\0\x85\0\0\0f\0\0\0\x05\0\0\0O\0\x07\0\x04\0\0\0\x86\0\0\0\x85\0\0\0\x85\0\0\0\0\0\0\0\x01\0\0\0\xBE\0\x05\0\x87\0\0\0\x88\0\0\0\x84\0\0\0\x86\0\0\0\x9B\0\x04\0\x12\0\0\0\x89\0\0\0\x88\0\0\0\xF7\0\x03\0\x8A\0\0\0\0\0\0\0\xFA\0\x04\0\x89\0\0\0\x8B\0\0\0\x8C\0\0\0\xF8\0\x02\0\x8B\0\0\0Q\0\x05\0\x06\0\0\0\x8D\0\0\0f\0\0\0\x05\0\0\0O\0\x07\0\x04\0\0\0\x8E\0\0\0\x8D\0\0\0\x8D\0\0\0\x02\0\0\0\x03\0\0\0\xBC\0\x05\0\x87\0\0\0\x8F\0\0\0\x84\0\0\0\x8E\0\0\0\x9B\0\x04\0\x12\0\0\0\x90\0\0\0\x8F\0\0\0>\0\x03\0l\0\0\0\x90\0\0\0\xF9\0\x02\0\x8A\0\0\0\xF8\0\x02\0\x8C\0\0\0>\0\x03\0l\0\0\0j\0\0\0\xF9\0\x02\0\x8A\0\0\0\xF8\0\x02\0\x8A\0\0\0=\0\x04\0\x12\0\0\0\x91\0\0\0l\0\0\0\xBA\0\x05\0\x12\0\0\0\x92\0\0\0t\0\0\0k\0\0\0\xF7\0\x03\0\x93\0\0\0\0\0\0\0\xFA\0\x04\0\x92\0\0\0\x94\0\0\0\x95\0\0\0\xF8\0\x02\0\x94\0\0\0>\0\x03\0o\0\0\0\x91\0\0\0\xF9\0\x02\0\x93\0\0\0\xF8\0\x02\0\x95\0\0\0>\0\x03\0o\0\0\0j\0\0\0\xF9\0\x02\0\x93\0\0\0\xF8\0\x02\0\x93\0\0\0=\0\x04\0\x12\0\0\0\x96\0\0\0o\0\0\0P\0\x07\0\x13\0\0\0\x97\0\0\0}\0\0\0t\0\0\0\x84\0\0\0\x96\0\0\0\xFE\0\x02\0\x97\0\0\08\0\x01\x006\0\x05\0\x03\0\0\0\x9A\0\0\0\0\0\0\0\x9B\0\0\x007\0\x03\0\x03\0\0\0\x99\0\0\0\xF8\0\x02\0\x98\0\0\0\xF9\0\x02\0\x9C\0\0\0\xF8\0\x02\0\x9C\0\0\0\x0C\0\x08\0\x03\0\0\0\x9D\0\0\0\x01\0\0\0+\0\0\0\x99\0\0\0k\0\0\0\x19\0\0\0\xFE\0\x02\0\x9D\0\0\08\0\x01\x006\0\x05\0\x06\0\0\0\xA1\0\0\0\0\0\0\0\xA2\0\0\x007\0\x03\0\x06\0\0\0\x9F\0\0\x007\0\x03\0\x06\0\0\0\xA0\0\0\0\xF8\0\x02\0\x9E\0\0\0\xF9\0\x02\0\xA5\0\0\0\xF8\0\x02\0\xA5\0\0\0\xBC\0\x05\0R\0\0\0\xA6\0\0\0\x9F\0\0\0\xA0\0\0\0\xA9\0\x06\0\x06\0\0\0\xA7\0\0\0\xA6\0\0\0\xA4\0\0\0\xA3\0\0\0\xFE\0\x02\0\xA7\0\0\08\0\x01\x006\0\x05\0\x03\0\0\0\xAB\0\0\0\0\0\0\0\xAC\0\0\x007\0\x03\0\x14\0\0\0\xA9\0\0\x007\0\x03\0\x04\0\0\0\xAA\0\0\0\xF8\0\x02\0\xA8\0\0\0\xF9\0\x02\0\xAD\0\0\0\xF8\0\x02\0\xAD\0\0\0Q\0\x05\0\x03\0\0\0\xAE\0\0\0\xA9\0\0\0\x01\0\0\0Q\0\x05\0\x04\0\0\0\xAF\0\0\0\xA9\0\0\0\x02\0\0\0\x94\0\x05\0\x03\0\0\0\xB0\0\0\0\xAF\0\0\0\xAA\0\0\0\x81\0\x05\0\x03\0\0\0\xB1\0\0\0\xAE\0\0\0\xB0\0\0\09\0\x05\0\x03\0\0\0\xB2\0\0\0\x9A\0\0\0\xB1\0\0\0\xFE\0\x02\0\xB2\0\0\08\0\x01\x006\0\x05\0\x14\0\0\0\xB7\0\0\0\0\0\0\0\xB8\0\0\x007\0\x03\0\x07\0\0\0\xB4\0\0\x007\0\x03\0\x13\0\0\0\xB5\0\0\x007\0\x03\0\x10\0\0\0\xB6\0\0\0\xF8\0\x02\0\xB3\0\0\0\xF9\0\x02\0\xBD\0\0\0\xF8\0\x02\0\xBD\0\0\0Q\0\x05\0\x06\0\0\0\xBE\0\0\0\xB4\0\0\0\0\0\0\0O\0\x08\0\x10\0\0\0\xBF\0\0\0\xBE\0\0\0\xBE\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0Q\0\x05\0\x10\0\0\0\xC0\0\0\0\xB5\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0\xC1\0\0\0\xC0\0\0\0\0\0\0\0Q\0\x05\0\x06\0\0\0\xC2\0\0\0\xB4\0\0\0\x03\0\0\0O\0\x08\0\x10\0\0\0\xC3\0\0\0\xC2\0\0\0\xC2\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0\x8E\0\x05\0\x10\0\0\0\xC4\0\0\0\xC3\0\0\0\xC1\0\0\0\x83\0\x05\0\x10\0\0\0\xC5\0\0\0\xBF\0\0\0\xC4\0\0\0Q\0\x05\0\x06\0\0\0\xC6\0\0\0\xB4\0\0\0\x01\0\0\0O\0\x08\0\x10\0\0\0\xC7\0\0\0\xC6\0\0\0\xC6\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0Q\0\x05\0\x10\0\0\0\xC8\0\0\0\xB5\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0\xC9\0\0\0\xC8\0\0\0\x01\0\0\0Q\0\x05\0\x06\0\0\0\xCA\0\0\0\xB4\0\0\0\x03\0\0\0O\0\x08\0\x10\0\0\0\xCB\0\0\0\xCA\0\0\0\xCA\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0\x8E\0\x05\0\x10\0\0\0\xCC\0\0\0\xCB\0\0\0\xC9\0\0\0\x83\0\x05\0\x10\0\0\0\xCD\0\0\0\xC7\0\0\0\xCC\0\0\0Q\0\x05\0\x06\0\0\0\xCE\0\0\0\xB4\0\0\0\x02\0\0\0O\0\x08\0\x10\0\0\0\xCF\0\0\0\xCE\0\0\0\xCE\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0Q\0\x05\0\x10\0\0\0\xD0\0\0\0\xB5\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0\xD1\0\0\0\xD0\0\0\0\x02\0\0\0Q\0\x05\0\x06\0\0\0\xD2\0\0\0\xB4\0\0\0\x03\0\0\0O\0\x08\0\x10\0\0\0\xD3\0\0\0\xD2\0\0\0\xD2\0\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0\x8E\0\x05\0\x10\0\0\0\xD4\0\0\0\xD3\0\0\0\xD1\0\0\0\x83\0\x05\0\x10\0\0\0\xD5\0\0\0\xCF\0\0\0\xD4\0\0\0\x0C\0\x07\0\x10\0\0\0\xD6\0\0\0\x01\0\0\0D\0\0\0\xC5\0\0\0\xCD\0\0\0\x94\0\x05\0\x03\0\0\0\xD7\0\0\0\xB6\0\0\0\xD6\0\0\0\x0C\0\x07\0\x10\0\0\0\xD8\0\0\0\x01\0\0\0D\0\0\0\xCD\0\0\0\xB6\0\0\0\x94\0\x05\0\x03\0\0\0\xD9\0\0\0\xD5\0\0\0\xD8\0\0\0\x0C\0\x07\0\x10\0\0\0\xDA\0\0\0\x01\0\0\0D\0\0\0\xB6\0\0\0\xC5\0\0\0\x94\0\x05\0\x03\0\0\0\xDB\0\0\0\xD5\0\0\0\xDA\0\0\0P\0\x05\0\x04\0\0\0\xDC\0\0\0\xD9\0\0\0\xDB\0\0\0Q\0\x05\0\x06\0\0\0\xDD\0\0\0\xB4\0\0\0\x04\0\0\0O\0\x07\0\x04\0\0\0\xDE\0\0\0\xDD\0\0\0\xDD\0\0\0\0\0\0\0\x01\0\0\0\x8E\0\x05\0\x04\0\0\0\xDF\0\0\0\xDE\0\0\0\xD7\0\0\0\x88\0\x05\0\x04\0\0\0\xE0\0\0\0\xDC\0\0\0\xDF\0\0\0\x0C\0\x08\0\x04\0\0\0\xE1\0\0\0\x01\0\0\0+\0\0\0\xE0\0\0\0\xBA\0\0\0\xBB\0\0\0\xB4\0\x05\0\x12\0\0\0\xE2\0\0\0\xD7\0\0\0k\0\0\0P\0\x05\0\x87\0\0\0\xE4\0\0\0\xE2\0\0\0\xE2\0\0\0\xA9\0\x06\0\x04\0\0\0\xE3\0\0\0\xE4\0\0\0\xBC\0\0\0\xE1\0\0\0Q\0\x05\0\x04\0\0\0\xE5\0\0\0\xB5\0\0\0\x02\0\0\0Q\0\x05\0\x10\0\0\0\xE6\0\0\0\xB5\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0\xE7\0\0\0\xE6\0\0\0\x02\0\0\0Q\0\x05\0\x03\0\0\0\xE8\0\0\0\xB4\0\0\0\x06\0\0\0\x83\0\x05\0\x03\0\0\0\xE9\0\0\0\xE7\0\0\0\xE8\0\0\0P\0\x06\0\x14\0\0\0\xEA\0\0\0\xE5\0\0\0\xE9\0\0\0\xE3\0\0\0\xFE\0\x02\0\xEA\0\0\08\0\x01\x006\0\x05\0\x03\0\0\0\xED\0\0\0\0\0\0\0\xEE\0\0\x007\0\x03\0\x14\0\0\0\xEC\0\0\0\xF8\0\x02\0\xEB\0\0\0=\0\x04\0\x0E\0\0\0\xEF\0\0\0\"\0\0\0=\0\x04\0\x0F\0\0\0\xF0\0\0\0#\0\0\0\xF9\0\x02\0\xF8\0\0\0\xF8\0\x02\0\xF8\0\0\0Q\0\x05\0\x04\0\0\0\xF9\0\0\0\xEC\0\0\0\0\0\0\0\x83\0\x05\0\x04\0\0\0\xFA\0\0\0\xF9\0\0\0\xF2\0\0\0\x0C\0\x06\0\x04\0\0\0\xFB\0\0\0\x01\0\0\0\x08\0\0\0\xFA\0\0\0\x81\0\x05\0\x04\0\0\0\xFC\0\0\0\xFB\0\0\0\xBB\0\0\0\x88\0\x05\0\x04\0\0\0\xFD\0\0\0\xFC\0\0\0\x18\0\0\0V\0\x05\0\xFE\0\0\0\xFF\0\0\0\xEF\0\0\0\xF0\0\0\0`\0\x06\0\x06\0\0\0\0\x01\0\0\xFF\0\0\0\xFD\0\0\x003\0\0\0Q\0\x05\0\x04\0\0\0\x01\x01\0\0\xEC\0\0\0\0\0\0\0\x83\0\x05\0\x04\0\0\0\x02\x01\0\0\xFC\0\0\0\x01\x01\0\0\x81\0\x05\0\x04\0\0\0\x03\x01\0\0\x02\x01\0\0\xF4\0\0\09\0\x06\0\x03\0\0\0\x04\x01\0\0\xAB\0\0\0\xEC\0\0\0\x03\x01\0\0\x81\0\x05\0\x04\0\0\0\x05\x01\0\0\x02\x01\0\0\xF5\0\0\09\0\x06\0\x03\0\0\0\x06\x01\0\0\xAB\0\0\0\xEC\0\0\0\x05\x01\0\0\x81\0\x05\0\x04\0\0\0\x07\x01\0\0\x02\x01\0\0\xF6\0\0\09\0\x06\0\x03\0\0\0\x08\x01\0\0\xAB\0\0\0\xEC\0\0\0\x07\x01\0\0\x81\0\x05\0\x04\0\0\0\t\x01\0\0\x02\x01\0\0\xF7\0\0\09\0\x06\0\x03\0\0\0\n\x01\0\0\xAB\0\0\0\xEC\0\0\0\t\x01\0\0P\0\x07\0\x06\0\0\0\x0B\x01\0\0\x04\x01\0\0\x06\x01\0\0\x08\x01\0\0\n\x01\0\09\0\x06\0\x06\0\0\0\x0C\x01\0\0\xA1\0\0\0\x0B\x01\0\0\0\x01\0\0\x83\0\x05\0\x04\0\0\0\r\x01\0\0\xF2\0\0\0\x02\x01\0\0Q\0\x05\0\x03\0\0\0\x0E\x01\0\0\x0C\x01\0\0\x03\0\0\0Q\0\x05\0\x03\0\0\0\x0F\x01\0\0\x0C\x01\0\0\x02\0\0\0Q\0\x05\0\x03\0\0\0\x10\x01\0\0\r\x01\0\0\0\0\0\0\x0C\0\x08\0\x03\0\0\0\x11\x01\0\0\x01\0\0\0.\0\0\0\x0E\x01\0\0\x0F\x01\0\0\x10\x01\0\0Q\0\x05\0\x03\0\0\0\x12\x01\0\0\x0C\x01\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0\x13\x01\0\0\x0C\x01\0\0\x01\0\0\0Q\0\x05\0\x03\0\0\0\x14\x01\0\0\r\x01\0\0\0\0\0\0\x0C\0\x08\0\x03\0\0\0\x15\x01\0\0\x01\0\0\0.\0\0\0\x12\x01\0\0\x13\x01\0\0\x14\x01\0\0Q\0\x05\0\x03\0\0\0\x16\x01\0\0\r\x01\0\0\x01\0\0\0\x0C\0\x08\0\x03\0\0\0\x17\x01\0\0\x01\0\0\0.\0\0\0\x11\x01\0\0\x15\x01\0\0\x16\x01\0\0\xFE\0\x02\0\x17\x01\0\08\0\x01\x006\0\x05\0\x03\0\0\0\x1B\x01\0\0\0\0\0\0\x1C\x01\0\x007\0\x03\0\x10\0\0\0\x19\x01\0\x007\0\x03\0\x10\0\0\0\x1A\x01\0\0\xF8\0\x02\0\x18\x01\0\0A\0\x05\x002\0\0\0\x1D\x01\0\0\x1F\0\0\x003\0\0\0=\0\x04\0\x0E\0\0\0\x1E\x01\0\0\"\0\0\0=\0\x04\0\x0F\0\0\0\x1F\x01\0\0#\0\0\0\xF9\0\x02\0 \x01\0\0\xF8\0\x02\0 \x01\0\09\0\x05\0\x10\0\0\0!\x01\0\0'\0\0\0\x19\x01\0\09\0\x05\0\x05\0\0\0#\x01\0\x000\0\0\0!\x01\0\0A\0\x06\0$\x01\0\0%\x01\0\0\x1D\x01\0\0]\0\0\0#\x01\0\0=\0\x04\0\x07\0\0\0&\x01\0\0%\x01\0\09\0\x06\0\x13\0\0\0'\x01\0\0h\0\0\0&\x01\0\0!\x01\0\0Q\0\x05\0\x12\0\0\0(\x01\0\0'\x01\0\0\x03\0\0\0\xA8\0\x04\0\x12\0\0\0)\x01\0\0(\x01\0\0\xF7\0\x03\0*\x01\0\0\0\0\0\0\xFA\0\x04\0)\x01\0\0+\x01\0\0*\x01\0\0\xF8\0\x02\0+\x01\0\0\xFE\0\x02\0\x19\0\0\0\xF8\0\x02\0*\x01\0\09\0\x05\0\x10\0\0\0,\x01\0\0,\0\0\0\x1A\x01\0\09\0\x07\0\x14\0\0\0-\x01\0\0\xB7\0\0\0&\x01\0\0'\x01\0\0,\x01\0\09\0\x05\0\x03\0\0\0.\x01\0\0\xED\0\0\0-\x01\0\0\xFE\0\x02\0.\x01\0\08\0\x01\x006\0\x05\0\x03\0\0\x001\x01\0\0\0\0\0\x002\x01\0\x007\0\x03\0\x15\0\0\x000\x01\0\0\xF8\0\x02\0/\x01\0\0A\0\x05\x003\x01\0\x004\x01\0\0\x1A\0\0\x003\0\0\0=\0\x04\0\x0E\0\0\x005\x01\0\0\x1D\0\0\0\xF9\0\x02\x007\x01\0\0\xF8\0\x02\x007\x01\0\0_\0\x07\0\x06\0\0\08\x01\0\x005\x01\0\x000\x01\0\0\x02\0\0\x006\x01\0\0Q\0\x05\0\x03\0\0\09\x01\0\08\x01\0\0\0\0\0\0A\0\x06\0;\x01\0\0<\x01\0\x004\x01\0\x007\0\0\x003\0\0\0=\0\x04\0\x03\0\0\0=\x01\0\0<\x01\0\0\x85\0\x05\0\x03\0\0\0>\x01\0\09\x01\0\0=\x01\0\0A\0\x06\0;\x01\0\0?\x01\0\x004\x01\0\x007\0\0\0\t\0\0\0=\0\x04\0\x03\0\0\0@\x01\0\0?\x01\0\0\x81\0\x05\0\x03\0\0\0A\x01\0\0>\x01\0\0@\x01\0\0\xBA\0\x05\0\x12\0\0\0B\x01\0\09\x01\0\0k\0\0\0\xA9\0\x06\0\x03\0\0\0C\x01\0\0B\x01\0\0A\x01\0\0k\0\0\0\xFE\0\x02\0C\x01\0\08\0\x01\x006\0\x05\0\x10\0\0\0F\x01\0\0\0\0\0\0G\x01\0\x007\0\x03\0\x04\0\0\0E\x01\0\0\xF8\0\x02\0D\x01\0\0A\0\x05\x003\x01\0\0H\x01\0\0\x1A\0\0\x003\0\0\0=\0\x04\0\x0E\0\0\0I\x01\0\0\x1D\0\0\0\xF9\0\x02\0J\x01\0\0\xF8\0\x02\0J\x01\0\0g\0\x05\0K\x01\0\0L\x01\0\0I\x01\0\x003\0\0\0p\0\x04\0\x04\0\0\0M\x01\0\0L\x01\0\0\x88\0\x05\0\x04\0\0\0N\x01\0\0E\x01\0\0M\x01\0\0A\0\x05\0>\0\0\0O\x01\0\0H\x01\0\x003\0\0\0=\0\x04\0\x06\0\0\0P\x01\0\0O\x01\0\0O\0\x08\0\x10\0\0\0Q\x01\0\0P\x01\0\0P\x01\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0A\0\x05\0>\0\0\0R\x01\0\0H\x01\0\0\t\0\0\0=\0\x04\0\x06\0\0\0S\x01\0\0R\x01\0\0O\0\x08\0\x10\0\0\0T\x01\0\0S\x01\0\0S\x01\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0Q\0\x05\0\x03\0\0\0U\x01\0\0N\x01\0\0\0\0\0\0\x8E\0\x05\0\x10\0\0\0V\x01\0\0T\x01\0\0U\x01\0\0\x81\0\x05\0\x10\0\0\0W\x01\0\0Q\x01\0\0V\x01\0\0A\0\x05\0>\0\0\0X\x01\0\0H\x01\0\0]\0\0\0=\0\x04\0\x06\0\0\0Y\x01\0\0X\x01\0\0O\0\x08\0\x10\0\0\0Z\x01\0\0Y\x01\0\0Y\x01\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0Q\0\x05\0\x03\0\0\0[\x01\0\0N\x01\0\0\x01\0\0\0\x8E\0\x05\0\x10\0\0\0\\\x01\0\0Z\x01\0\0[\x01\0\0\x81\0\x05\0\x10\0\0\0]\x01\0\0W\x01\0\0\\\x01\0\0\xFE\0\x02\0]\x01\0\08\0\x01\x006\0\x05\0\x03\0\0\0b\x01\0\0\0\0\0\0c\x01\0\x007\0\x03\0\x15\0\0\0_\x01\0\x007\0\x03\0\x15\0\0\0`\x01\0\x007\0\x03\0\x03\0\0\0a\x01\0\0\xF8\0\x02\0^\x01\0\0;\0\x05\0m\0\0\0l\x01\0\0\x07\0\0\0m\x01\0\0;\0\x05\0m\0\0\0n\x01\0\0\x07\0\0\0o\x01\0\0A\0\x05\x003\x01\0\0d\x01\0\0\x1A\0\0\x003\0\0\0=\0\x04\0\x0E\0\0\0e\x01\0\0\x1D\0\0\0\xF9\0\x02\0p\x01\0\0\xF8\0\x02\0p\x01\0\0g\0\x05\0K\x01\0\0q\x01\0\0e\x01\0\x003\0\0\0|\0\x04\0\x15\0\0\0r\x01\0\0q\x01\0\0\x82\0\x05\0\x15\0\0\0s\x01\0\0r\x01\0\0g\x01\0\0\x82\0\x05\0\x15\0\0\0t\x01\0\0_\x01\0\0`\x01\0\0\x0C\0\x07\0\x15\0\0\0u\x01\0\0\x01\0\0\0*\0\0\0t\x01\0\0h\x01\0\09\0\x05\0\x03\0\0\0v\x01\0\x001\x01\0\0u\x01\0\0P\0\x05\0\x15\0\0\0x\x01\0\0i\x01\0\0i\x01\0\0\x84\0\x05\0\x15\0\0\0w\x01\0\0`\x01\0\0x\x01\0\0\x82\0\x05\0\x15\0\0\0y\x01\0\0_\x01\0\0w\x01\0\0\x0C\0\x07\0\x15\0\0\0z\x01\0\0\x01\0\0\0*\0\0\0y\x01\0\0h\x01\0\09\0\x05\0\x03\0\0\0{\x01\0\x001\x01\0\0z\x01\0\0\x80\0\x05\0\x15\0\0\0|\x01\0\0_\x01\0\0`\x01\0\0\x0C\0\x07\0\x15\0\0\0}\x01\0\0\x01\0\0\0'\0\0\0|\x01\0\0s\x01\0\09\0\x05\0\x03\0\0\0~\x01\0\x001\x01\0\0}\x01\0\0P\0\x05\0\x15\0\0\0\x80\x01\0\0i\x01\0\0i\x01\0\0\x84\0\x05\0\x15\0\0\0\x7F\x01\0\0`\x01\0\0\x80\x01\0\0\x80\0\x05\0\x15\0\0\0\x81\x01\0\0_\x01\0\0\x7F\x01\0\0\x0C\0\x07\0\x15\0\0\0\x82\x01\0\0\x01\0\0\0'\0\0\0\x81\x01\0\0s\x01\0\09\0\x05\0\x03\0\0\0\x83\x01\0\x001\x01\0\0\x82\x01\0\0\x85\0\x05\0\x03\0\0\0\x84\x01\0\0j\x01\0\0v\x01\0\0\x83\0\x05\0\x03\0\0\0\x85\x01\0\0\x84\x01\0\0{\x01\0\0\x83\0\x05\0\x03\0\0\0\x86\x01\0\0\x85\x01\0\0a\x01\0\0\x0C\0\x06\0\x03\0\0\0\x87\x01\0\0\x01\0\0\0\x04\0\0\0\x86\x01\0\0\x85\0\x05\0\x03\0\0\0\x88\x01\0\0j\x01\0\0~\x01\0\0\x83\0\x05\0\x03\0\0\0\x89\x01\0\0\x88\x01\0\0\x83\x01\0\0\x83\0\x05\0\x03\0\0\0\x8A\x01\0\0\x89\x01\0\0a\x01\0\0\x0C\0\x06\0\x03\0\0\0\x8B\x01\0\0\x01\0\0\0\x04\0\0\0\x8A\x01\0\0P\0\x05\0\x15\0\0\0\x8D\x01\0\0i\x01\0\0i\x01\0\0\x84\0\x05\0\x15\0\0\0\x8C\x01\0\0`\x01\0\0\x8D\x01\0\0\x82\0\x05\0\x15\0\0\0\x8E\x01\0\0_\x01\0\0\x8C\x01\0\0\xB1\0\x05\0\x87\0\0\0\x8F\x01\0\0\x8E\x01\0\0h\x01\0\0\x9A\0\x04\0\x12\0\0\0\x90\x01\0\0\x8F\x01\0\0P\0\x05\0\x15\0\0\0\x92\x01\0\0i\x01\0\0i\x01\0\0\x84\0\x05\0\x15\0\0\0\x91\x01\0\0`\x01\0\0\x92\x01\0\0\x80\0\x05\0\x15\0\0\0\x93\x01\0\0_\x01\0\0\x91\x01\0\0\xAD\0\x05\0\x87\0\0\0\x94\x01\0\0\x93\x01\0\0s\x01\0\0\x9A\0\x04\0\x12\0\0\0\x95\x01\0\0\x94\x01\0\0\xA8\0\x04\0\x12\0\0\0\x96\x01\0\0\x90\x01\0\0\xF7\0\x03\0\x97\x01\0\0\0\0\0\0\xFA\0\x04\0\x96\x01\0\0\x98\x01\0\0\x99\x01\0\0\xF8\0\x02\0\x98\x01\0\0\xA8\0\x04\0\x12\0\0\0\x9A\x01\0\0\x95\x01\0\0\xF7\0\x03\0\x9B\x01\0\0\0\0\0\0\xFA\0\x04\0\x9A\x01\0\0\x9C\x01\0\0\x9D\x01\0\0\xF8\0\x02\0\x9C\x01\0\0\xBC\0\x05\0\x12\0\0\0\x9E\x01\0\0\x87\x01\0\0\x8B\x01\0\0>\0\x03\0n\x01\0\0\x9E\x01\0\0\xF9\0\x02\0\x9B\x01\0\0\xF8\0\x02\0\x9D\x01\0\0>\0\x03\0n\x01\0\0k\x01\0\0\xF9\0\x02\0\x9B\x01\0\0\xF8\0\x02\0\x9B\x01\0\0=\0\x04\0\x12\0\0\0\x9F\x01\0\0n\x01\0\0>\0\x03\0l\x01\0\0\x9F\x01\0\0\xF9\0\x02\0\x97\x01\0\0\xF8\0\x02\0\x99\x01\0\0>\0\x03\0l\x01\0\0j\0\0\0\xF9\0\x02\0\x97\x01\0\0\xF8\0\x02\0\x97\x01\0\0=\0\x04\0\x12\0\0\0\xA0\x01\0\0l\x01\0\0\x83\0\x05\0\x03\0\0\0\xA1\x01\0\0~\x01\0\0a\x01\0\0\x83\0\x05\0\x03\0\0\0\xA2\x01\0\0a\x01\0\0v\x01\0\0\xA9\0\x06\0\x03\0\0\0\xA3\x01\0\0\xA0\x01\0\0\xA2\x01\0\0\xA1\x01\0\0\xFE\0\x02\0\xA3\x01\0\08\0\x01\x006\0\x05\0\x10\0\0\0\xA8\x01\0\0\0\0\0\0\xA9\x01\0\x007\0\x03\0\x15\0\0\0\xA5\x01\0\x007\0\x03\0\x10\0\0\0\xA6\x01\0\x007\0\x03\0\x03\0\0\0\xA7\x01\0\0\xF8\0\x02\0\xA4\x01\0\0A\0\x05\x003\x01\0\0\xAA\x01\0\0\x1A\0\0\x003\0\0\0=\0\x04\0\x0E\0\0\0\xAB\x01\0\0\x1D\0\0\0\xF9\0\x02\0\xAE\x01\0\0\xF8\0\x02\0\xAE\x01\0\0g\0\x05\0K\x01\0\0\xAF\x01\0\0\xAB\x01\0\x003\0\0\0p\0\x04\0\x04\0\0\0\xB0\x01\0\0\xAF\x01\0\09\0\x07\0\x03\0\0\0\xB1\x01\0\0b\x01\0\0\xA5\x01\0\0\xAC\x01\0\0\xA7\x01\0\0Q\0\x05\0\x03\0\0\0\xB2\x01\0\0\xB0\x01\0\0\0\0\0\0\x85\0\x05\0\x03\0\0\0\xB3\x01\0\0\xB1\x01\0\0\xB2\x01\0\09\0\x07\0\x03\0\0\0\xB4\x01\0\0b\x01\0\0\xA5\x01\0\0\xAD\x01\0\0\xA7\x01\0\0Q\0\x05\0\x03\0\0\0\xB5\x01\0\0\xB0\x01\0\0\x01\0\0\0\x85\0\x05\0\x03\0\0\0\xB6\x01\0\0\xB4\x01\0\0\xB5\x01\0\0A\0\x05\0>\0\0\0\xB7\x01\0\0\xAA\x01\0\0\t\0\0\0=\0\x04\0\x06\0\0\0\xB8\x01\0\0\xB7\x01\0\0O\0\x08\0\x10\0\0\0\xB9\x01\0\0\xB8\x01\0\0\xB8\x01\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0A\0\x05\0>\0\0\0\xBA\x01\0\0\xAA\x01\0\0]\0\0\0=\0\x04\0\x06\0\0\0\xBB\x01\0\0\xBA\x01\0\0O\0\x08\0\x10\0\0\0\xBC\x01\0\0\xBB\x01\0\0\xBB\x01\0\0\0\0\0\0\x01\0\0\0\x02\0\0\0\x0C\0\x07\0\x10\0\0\0\xBD\x01\0\0\x01\0\0\0D\0\0\0\xB9\x01\0\0\xBC\x01\0\0\x8E\0\x05\0\x10\0\0\0\xBE\x01\0\0\xBD\x01\0\0\xA7\x01\0\0\x0C\0\x07\0\x10\0\0\0\xBF\x01\0\0\x01\0\0\0D\0\0\0\xBC\x01\0\0\xA6\x01\0\0\x8E\0\x05\0\x10\0\0\0\xC0\x01\0\0\xBF\x01\0\0\xB3\x01\0\0\x81\0\x05\0\x10\0\0\0\xC1\x01\0\0\xBE\x01\0\0\xC0\x01\0\0\x0C\0\x07\0\x10\0\0\0\xC2\x01\0\0\x01\0\0\0D\0\0\0\xA6\x01\0\0\xB9\x01\0\0\x8E\0\x05\0\x10\0\0\0\xC3\x01\0\0\xC2\x01\0\0\xB6\x01\0\0\x81\0\x05\0\x10\0\0\0\xC4\x01\0\0\xC1\x01\0\0\xC3\x01\0\0\x7F\0\x04\0\x10\0\0\0\xC5\x01\0\0\xC4\x01\0\0\x94\0\x05\0\x03\0\0\0\xC6\x01\0\0\xC4\x01\0\0\xA6\x01\0\0\xBA\0\x05\0\x12\0\0\0\xC7\x01\0\0\xC6\x01\0\0k\0\0\0P\0\x06\0\xC9\x01\0\0\xCA\x01\0\0\xC7\x01\0\0\xC7\x01\0\0\xC7\x01\0\0\xA9\0\x06\0\x10\0\0\0\xC8\x01\0\0\xCA\x01\0\0\xC5\x01\0\0\xC4\x01\0\0\x0C\0\x06\0\x10\0\0\0\xCB\x01\0\0\x01\0\0\0E\0\0\0\xC8\x01\0\0\xFE\0\x02\0\xCB\x01\0\08\0\x01\x006\0\x05\0\x02\0\0\0\xD2\x01\0\0\0\0\0\0\xD3\x01\0\0\xF8\0\x02\0\xCC\x01\0\0=\0\x04\0\x05\0\0\0\xCF\x01\0\0\xCD\x01\0\0\xF9\0\x02\0\xD6\x01\0\0\xF8\0\x02\0\xD6\x01\0\0\xAA\0\x05\0\x12\0\0\0\xD7\x01\0\0\xCF\x01\0\0]\0\0\0\xA9\0\x06\0\x03\0\0\0\xD8\x01\0\0\xD7\x01\0\0\xD4\x01\0\0\xB9\0\0\0\xAA\0\x05\0\x12\0\0\0\xD9\x01\0\0\xCF\x01\0\0\t\0\0\0\xA9\0\x06\0\x03\0\0\0\xDA\x01\0\0\xD9\x01\0\0\xD5\x01\0\0\x19\0\0\0P\0\x07\0\x06\0\0\0\xDB\x01\0\0\xD8\x01\0\0\xDA\x01\0\0k\0\0\0\x19\0\0\0>\0\x03\0\xD0\x01\0\0\xDB\x01\0\0\xFD\0\x01\08\0\x01\x006\0\x05\0\x02\0\0\0\xE1\x01\0\0\0\0\0\0\xD3\x01\0\0\xF8\0\x02\0\xDC\x01\0\0=\0\x04\0\x06\0\0\0\xDF\x01\0\0\xDD\x01\0\0A\0\x05\x003\x01\0\0\xE2\x01\0\0\x1A\0\0\x003\0\0\0=\0\x04\0\x0E\0\0\0\xE3\x01\0\0\x1D\0\0\0A\0\x05\x002\0\0\0\xE4\x01\0\0\x1F\0\0\x003\0\0\0=\0\x04\0\x0E\0\0\0\xE5\x01\0\0\"\0\0\0=\0\x04\0\x0F\0\0\0\xE6\x01\0\0#\0\0\0\xF9\0\x02\0\xE8\x01\0\0\xF8\0\x02\0\xE8\x01\0\0O\0\x07\0\x04\0\0\0\xE9\x01\0\0\xDF\x01\0\0\xDF\x01\0\0\0\0\0\0\x01\0\0\0\x0C\0\x08\0\x04\0\0\0\xEE\x01\0\0\x01\0\0\0+\0\0\0\xE9\x01\0\0\xEB\x01\0\0\xED\x01\0\0n\0\x04\0\x15\0\0\0\xEF\x01\0\0\xEE\x01\0\09\0\x05\0\x03\0\0\0\xF0\x01\0\x001\x01\0\0\xEF\x01\0\0\xBC\0\x05\0\x12\0\0\0\xF1\x01\0\0\xF0\x01\0\0k\0\0\0\xF7\0\x03\0\xF2\x01\0\0\0\0\0\0\xFA\0\x04\0\xF1\x01\0\0\xF3\x01\0\0\xF2\x01\0\0\xF8\0\x02\0\xF3\x01\0\0>\0\x03\0\xE0\x01\0\0\xE7\x01\0\0\xFD\0\x01\0\xF8\0\x02\0\xF2\x01\0\0O\0\x07\0\x04\0\0\0\xF4\x01\0\0\xDF\x01\0\0\xDF\x01\0\0\0\0\0\0\x01\0\0\09\0\x05\0\x10\0\0\0\xF5\x01\0\0F\x01\0\0\xF4\x01\0\0O\0\x07\0\x04\0\0\0\xF6\x01\0\0\xDF\x01\0\0\xDF\x01\0\0\0\0\0\0\x01\0\0\0\x0C\0\x08\0\x04\0\0\0\xF7\x01\0\0\x01\0\0\0+\0\0\0\xF6\x01\0\0\xEB\x01\0\0\xED\x01\0\0n\0\x04\0\x15\0\0\0\xF8\x01\0\0\xF7\x01\0\09\0\x07\0\x10\0\0\0\xF9\x01\0\0\xA8\x01\0\0\xF8\x01\0\0\xF5\x01\0\0\xF0\x01\0\0P\0\x06\0\x10\0\0\0\xFA\x01\0\0\xF0\x01\0\0\xF0\x01\0\0\xF0\x01\0\0\x88\0\x05\0\x10\0\0\0\xFB\x01\0\0\xF5\x01\0\0\xFA\x01\0\09\0\x06\0\x03\0\0\0\xFC\x01\0\0\x1B\x01\0\0\xFB\x01\0\0\xF9\x01\0\0P\0\x07\0\x06\0\0\0\xFD\x01\0\0\xFC\x01\0\0k\0\0\0k\0\0\0\x19\0\0\0>\0\x03\0\xE0\x01\0\0\xFD\x01\0\0\xFD\0\x01\08\0\x01\0";
     /// WGSL of the function shader.
     pub const FUNCTION_WGSL: &str = r#"// Pssm4Log: visibility of a point, for the engine's own materials.
+// Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 679958304d6e33a2. Do not edit.
+// Generated from light case `Pssm4Log`, bdafd8e67511353c. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -930,7 +996,7 @@ struct PssmLogFacet {
     row_x: vec4<f32>,
     /// Clip y of the tile, upwards.
     row_y: vec4<f32>,
-    /// Clip z, growing away from the light.
+    /// Clip z: depth along the light times w.
     row_z: vec4<f32>,
     /// Clip w, positive on receivers.
     row_w: vec4<f32>,
@@ -962,6 +1028,16 @@ var pssm_log_map: texture_depth_2d;
 @group(2) @binding(2)
 var pssm_log_map_sampler: sampler;
 
+/// The position as facet rows take it.
+fn pssm_log_facet_position(position: vec3<f32>) -> vec3<f32> {
+    return position;
+}
+
+/// The normal as facet rows take it.
+fn pssm_log_facet_normal(normal: vec3<f32>) -> vec3<f32> {
+    return normal;
+}
+
 /// Finds the facet of a receiver: its band is the number of thresholds that its distance has reached.
 fn pssm_log_facet_index(position: vec3<f32>) -> u32 {
     let distance = dot(pssm_log_shadow.distances[0], vec4<f32>(position, 1.0));
@@ -974,7 +1050,7 @@ fn pssm_log_facet_index(position: vec3<f32>) -> u32 {
 
 /// Where a receiver falls in its facet.
 struct PssmLogPlace {
-    /// Clip space of the tile after division: x and y in [-1, 1], z from 0 towards the light to 1.
+    /// Clip space of the tile after division: x and y in [-1, 1], z growing away from the light.
     ndc: vec3<f32>,
     /// What was divided by.
     w: f32,
@@ -997,6 +1073,16 @@ fn pssm_log_place_in_facet(facet: PssmLogFacet, position: vec3<f32>) -> PssmLogP
     return PssmLogPlace(ndc, w, texel, w > 0.0 && inside);
 }
 
+/// The nearest depth that the map can hold.
+fn pssm_log_held_depth(depth: f32) -> f32 {
+    return clamp(depth, 0.0, 1.0);
+}
+
+/// Share of light that each of four stored depths lets through: all or none.
+fn pssm_log_lit_by_four(references: vec4<f32>, stored: vec4<f32>) -> vec4<f32> {
+    return select(vec4<f32>(0.0), vec4<f32>(1.0), references <= stored);
+}
+
 /// A receiver in the map, with its plane.
 struct PssmLogReceiver {
     /// Map texel coordinates; texel centres lie at .5, y grows down.
@@ -1009,7 +1095,7 @@ struct PssmLogReceiver {
 
 /// Depth of the receiver's plane at an offset in texels, within the depths that the map can hold.
 fn pssm_log_plane_reference(receiver: PssmLogReceiver, offset: vec2<f32>) -> f32 {
-    return clamp(receiver.reference + dot(receiver.gradient, offset), 0.0, 1.0);
+    return pssm_log_held_depth(receiver.reference + dot(receiver.gradient, offset));
 }
 
 /// Largest change of depth from one texel to the next that a plane is followed to: the map's whole range.
@@ -1049,22 +1135,23 @@ fn pssm_log_filtered_visibility(receiver: PssmLogReceiver) -> f32 {
     );
 
     // Compare, then blend.
-    let lit = select(vec4<f32>(0.0), vec4<f32>(1.0), references <= stored);
+    let lit = pssm_log_lit_by_four(references, stored);
     let weight = vec2<f32>(0.5) - offset;
     return mix(mix(lit.w, lit.z, weight.x), mix(lit.x, lit.y, weight.x), weight.y);
 }
 
 /// Share of the light that reaches a receiver: 1 in the light and outside the map, 0 in shadow.
 ///
-/// `position` is relative to the eye, in world axes and metres; `normal` is the geometric normal there, in world axes.
+/// `position` is relative to the eye, in metres; `normal` is the geometric normal there; both are in the case's axes.
 /// The function takes no derivatives, so any control flow may call it.
 fn pssm_log_visibility(position: vec3<f32>, normal: vec3<f32>) -> f32 {
-    let facet = pssm_log_shadow.facets[pssm_log_facet_index(position)];
-    let place = pssm_log_place_in_facet(facet, position);
+    let point = pssm_log_facet_position(position);
+    let facet = pssm_log_shadow.facets[pssm_log_facet_index(point)];
+    let place = pssm_log_place_in_facet(facet, point);
     if !place.covered {
         return 1.0;
     }
-    return pssm_log_filtered_visibility(pssm_log_biased_receiver(facet, place, normal));
+    return pssm_log_filtered_visibility(pssm_log_biased_receiver(facet, place, pssm_log_facet_normal(normal)));
 }
 "#;
 }

@@ -1,7 +1,7 @@
 //! Caster geometry on both sides: triangles in f64 for twins, buffers for the device.
 
 use cssm_core::BoundingBox;
-use cssm_core::glam::{DAffine3, DVec3};
+use cssm_core::glam::{DAffine3, DMat3, DVec3};
 use cssm_runtime::{IndexDescription, MeshDescription, wgpu};
 
 use super::device::TestDevice;
@@ -69,18 +69,20 @@ impl Geometry {
         }
     }
 
-    /// Triangles of an occurrence relative to the eye, in f64, from the very numbers the device reads: positions and
-    /// instance rows rounded to f32.
+    /// Triangles of an occurrence relative to the eye, world axes, in f64, from the very numbers the device reads:
+    /// positions and instance rows in the axes of the capture, rounded to f32.
     pub fn triangles_from_eye<'a>(
         &'a self,
         world_from_object: &DAffine3,
         eye_world: DVec3,
+        capture_from_world: &DMat3,
     ) -> impl Iterator<Item = [DVec3; 3]> + 'a {
-        let matrix = world_from_object.matrix3.as_mat3().as_dmat3();
-        let shift = (world_from_object.translation - eye_world).as_vec3().as_dvec3();
+        let matrix = (*capture_from_world * world_from_object.matrix3).as_mat3().as_dmat3();
+        let shift = *capture_from_world * (world_from_object.translation - eye_world);
+        let (shift, world_from_capture) = (shift.as_vec3().as_dvec3(), capture_from_world.inverse());
         let corner = move |index: u32| {
             let [x, y, z] = self.positions[index as usize];
-            matrix * DVec3::new(f64::from(x), f64::from(y), f64::from(z)) + shift
+            world_from_capture * (matrix * DVec3::new(f64::from(x), f64::from(y), f64::from(z)) + shift)
         };
         self.indices.chunks_exact(3).map(move |triangle| std::array::from_fn(|k| corner(triangle[k])))
     }
@@ -125,6 +127,7 @@ impl GeometryBuffers {
                 format: wgpu::IndexFormat::Uint32,
             }),
             bounds_object: self.bounds,
+            mask: None,
         }
     }
 }

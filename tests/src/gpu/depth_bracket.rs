@@ -2,6 +2,7 @@
 
 use cssm_core::ShadowPlan;
 use cssm_core::case::DepthFormat;
+use cssm_core::plan::DepthOrder;
 use cssm_core::twin::{DepthMap, capture};
 
 use super::yard::Yard;
@@ -22,18 +23,20 @@ pub struct DepthBracket {
 }
 
 impl DepthBracket {
-    /// The twin's maps with every tile shifted by up to 1/64 texel; casters are culled as the service culls.
+    /// The twin's maps with every facet's image shifted by up to 1/64 texel; casters are culled as the service culls.
     pub fn new(yard: &Yard, plan: &ShadowPlan, format: DepthFormat) -> Self {
         let (width, height) = plan.map_size_texels;
-        let mut low = DepthMap::cleared(width, height);
+        let order = plan.depth_order;
+        let mut low = DepthMap::cleared(width, height, order);
         let mut high = low.clone();
         let none = ShadowPlan { facets: Vec::new(), ..plan.clone() };
         for (number, facet) in plan.facets.iter().enumerate() {
             let places = (0..yard.places.len()).filter(|place| yard.reaches(*place, plan, number));
-            let triangles: Vec<_> =
-                places.flat_map(|place| yard.place_from_eye(place, plan.eye_world)).collect();
+            let triangles = places
+                .flat_map(|place| yard.place_from_eye(place, plan.eye_world, &plan.capture_from_world()));
+            let triangles: Vec<_> = triangles.collect();
 
-            // A tile at a time, as a map of its own.
+            // A facet at a time, as a map of its own.
             let tile = facet.tile;
             let area = (tile.width * tile.height) as usize;
             let (mut tile_low, mut tile_high) = (vec![1.0_f64; area], vec![0.0_f64; area]);
@@ -53,16 +56,26 @@ impl DepthBracket {
                 tile_high.iter_mut().zip(&shifted).for_each(|(high, depth)| *high = high.max(*depth));
             }
 
-            // Tiles never overlap.
+            // Where facets share a tile, what lies nearest to the light stays.
+            let nearest = |to: &mut f64, depth: f64| match order {
+                DepthOrder::Standard => *to = to.min(depth),
+                DepthOrder::Reversed => *to = to.max(depth),
+            };
             for row in 0..tile.height {
-                let from = (row * tile.width) as usize..((row + 1) * tile.width) as usize;
                 let start = ((tile.y + row) * width + tile.x) as usize;
-                let to = start..start + tile.width as usize;
-                low.depths[to.clone()].copy_from_slice(&tile_low[from.clone()]);
-                high.depths[to].copy_from_slice(&tile_high[from]);
+                for column in 0..tile.width as usize {
+                    let from = row as usize * tile.width as usize + column;
+                    nearest(&mut low.depths[start + column], tile_low[from]);
+                    nearest(&mut high.depths[start + column], tile_high[from]);
+                }
             }
         }
         Self { low: low.stored(format), high: high.stored(format), format }
+    }
+
+    /// Whether a texel's depth is the same, up to the accuracy of drivers, within 1/64 texel.
+    pub fn is_sure(&self, texel: usize) -> bool {
+        self.high.depths[texel] - self.low.depths[texel] <= DEPTH_TOLERANCE
     }
 
     /// Number of texels outside.

@@ -42,7 +42,9 @@ pub fn new_device(wanted: wgpu::Features) -> TestDevice {
         label: Some("cssm tests"),
         required_features: adapter.features()
             & wanted
-            & (wgpu::Features::DEPTH_CLIP_CONTROL | wgpu::Features::TIMESTAMP_QUERY),
+            & (wgpu::Features::DEPTH_CLIP_CONTROL
+                | wgpu::Features::CLIP_DISTANCES
+                | wgpu::Features::TIMESTAMP_QUERY),
         required_limits: wgpu::Limits::downlevel_webgl2_defaults(),
         ..Default::default()
     }))

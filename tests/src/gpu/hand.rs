@@ -1,8 +1,11 @@
 //! A table and plans made by hand: what the service executes knows neither generator nor technique.
 
 use cssm_core::case::{Bias, DepthFormat, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
+use cssm_core::choose::{ChoiceReason, ConfigurationChoice};
 use cssm_core::facet::{Facet, FacetRows, Selection, Tile};
-use cssm_core::glam::DVec4;
+use cssm_core::glam::{DVec2, DVec4};
+use cssm_core::light::LightPosition;
+use cssm_core::plan::DepthOrder;
 use cssm_core::schema::{Value, Word};
 use cssm_core::table::{CaseTable, Shader, ShaderKind};
 use cssm_core::{ShadowPlan, View};
@@ -68,7 +71,17 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
     let tile = Tile { x: 0, y: 0, width: MAP_SIDE, height: MAP_SIDE, gutter: 0 };
     ShadowPlan {
         configuration: "single",
+        choice: ConfigurationChoice {
+            position: LightPosition::General,
+            configuration: "single",
+            reason: ChoiceReason::Only,
+            predictions: Vec::new(),
+            made_for_position: Vec::new(),
+        },
         eye_world: view.eye_world,
+        camera_from_world: view.camera_from_world,
+        shear: DVec2::ZERO,
+        depth_order: DepthOrder::Standard,
         light: DVec4::Y,
         map_size_texels: (MAP_SIDE, MAP_SIDE),
         selection: Selection { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands: 1 },

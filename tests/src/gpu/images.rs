@@ -21,14 +21,24 @@ pub fn vector_texture(gpu: &TestDevice, size: (u32, u32), values: &[f32]) -> wgp
     filled(gpu, size, wgpu::TextureFormat::Rgba32Float, values)
 }
 
+/// A texture of `Rgba8Unorm` that is white where there is alpha, to be sampled.
+pub fn alpha_texture(gpu: &TestDevice, size: (u32, u32), alpha: &[u8]) -> wgpu::Texture {
+    let bytes: Vec<u8> = alpha.iter().flat_map(|alpha| [255, 255, 255, *alpha]).collect();
+    uploaded(gpu, size, wgpu::TextureFormat::Rgba8Unorm, &bytes)
+}
+
 fn filled(gpu: &TestDevice, size: (u32, u32), format: wgpu::TextureFormat, values: &[f32]) -> wgpu::Texture {
+    let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
+    uploaded(gpu, size, format, &bytes)
+}
+
+fn uploaded(gpu: &TestDevice, size: (u32, u32), format: wgpu::TextureFormat, bytes: &[u8]) -> wgpu::Texture {
     let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
     let texture = texture(gpu, size, format, usage);
-    let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
     let bytes_per_row = Some(bytes.len() as u32 / size.1);
     gpu.queue.write_texture(
         texture.as_image_copy(),
-        &bytes,
+        bytes,
         wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row, rows_per_image: None },
         texture.size(),
     );

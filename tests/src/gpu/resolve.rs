@@ -1,7 +1,8 @@
 //! Resolving on the device: the scene's depth and normals from ray casting, masks and the engine's own material.
 
 use cssm_core::View;
-use cssm_core::glam::DVec3;
+use cssm_core::case::Axes;
+use cssm_core::glam::{DMat3, DVec3};
 use cssm_core::table::{CaseTable, GroupContent, ShaderKind};
 use cssm_runtime::{PreparedFrame, ShadowService, wgpu};
 
@@ -15,8 +16,9 @@ pub struct Visible {
     pub size: (u32, u32),
     /// What each pixel's centre hits; rays have depth 1, so [`Hit::along`] is the depth.
     pub hits: Vec<Option<Hit>>,
-    /// The rays.
+    /// The rays, world axes.
     pub rays: Vec<DVec3>,
+    camera_from_world: DMat3,
 }
 
 impl Visible {
@@ -32,7 +34,7 @@ impl Visible {
             .collect();
         let drawn = |hit: &Hit| (view.near_metres..view.far_metres).contains(&hit.along);
         let hits = rays.iter().map(|ray| hit(triangles, *ray).filter(drawn)).collect();
-        Self { size: view.size_pixels, hits, rays }
+        Self { size: view.size_pixels, hits, rays, camera_from_world: view.camera_from_world }
     }
 
     /// Depth in metres as an engine with linear depth stores it; 0 is sky.
@@ -48,21 +50,28 @@ impl Visible {
     }
 
     /// Positions relative to the eye as an engine's material knows them, four floats each; the fourth is 0 for sky.
-    pub fn positions(&self) -> Vec<f32> {
+    pub fn positions(&self, axes: Axes) -> Vec<f32> {
         let texel = |(ray, hit): (&DVec3, &Option<Hit>)| {
-            let point = (*ray * hit.map_or(0.0, |hit| hit.along)).as_vec3();
+            let point = self.turned(axes, *ray * hit.map_or(0.0, |hit| hit.along)).as_vec3();
             [point.x, point.y, point.z, if hit.is_some() { 1.0 } else { 0.0 }]
         };
         self.rays.iter().zip(&self.hits).flat_map(texel).collect()
     }
 
     /// Normals as an engine stores them, four floats each.
-    pub fn normals(&self) -> Vec<f32> {
+    pub fn normals(&self, axes: Axes) -> Vec<f32> {
         let texel = |hit: &Option<Hit>| {
-            let normal = hit.map_or(DVec3::ZERO, |hit| hit.normal).as_vec3();
+            let normal = self.turned(axes, hit.map_or(DVec3::ZERO, |hit| hit.normal)).as_vec3();
             [normal.x, normal.y, normal.z, 0.0]
         };
         self.hits.iter().flat_map(texel).collect()
+    }
+
+    fn turned(&self, axes: Axes, vector: DVec3) -> DVec3 {
+        match axes {
+            Axes::Camera => self.camera_from_world * vector,
+            Axes::World => vector,
+        }
     }
 
     /// Whether all pixels within `radius` of one lie on the same plane, so that normals can be reconstructed.

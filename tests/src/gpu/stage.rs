@@ -1,7 +1,7 @@
 //! A case on the device with the yard's casters: the map, and visibility through every interface that it declares.
 
 use cssm_codegen::generate;
-use cssm_core::case::{LightCase, MaskDepth, Resolve};
+use cssm_core::case::{Axes, LightCase, MaskDepth, Resolve};
 use cssm_core::twin::DepthMap;
 use cssm_core::{ShadowPlan, View};
 use cssm_runtime::{CasterInstance, MaskInputs, Options, PreparedFrame, ShadowService, wgpu};
@@ -18,6 +18,7 @@ pub struct Stage<'a> {
     /// The service.
     pub service: ShadowService,
     interfaces: &'a [Resolve],
+    axes: Axes,
     material: Option<Material>,
     casters: Vec<CasterInstance>,
 }
@@ -49,7 +50,7 @@ impl<'a> Stage<'a> {
         let function = case.resolve.iter().any(|interface| matches!(interface, Resolve::Function { .. }));
         let arguments = if case.bias.reads_normal() { "position.xyz, normal" } else { "position.xyz" };
         let material = function.then(|| Material::new(gpu, &table, &service, arguments));
-        Self { gpu, service, interfaces: &case.resolve, material, casters }
+        Self { gpu, service, interfaces: &case.resolve, axes: case.axes, material, casters }
     }
 
     /// The map that the device captures for a plan.
@@ -71,30 +72,13 @@ impl<'a> Stage<'a> {
         let (frame, mut encoder) = self.begin(&plan, view);
         let gpu = self.gpu;
         let target = || images::target(gpu, visible.size, wgpu::TextureFormat::R8Unorm);
-        let normals = images::vector_texture(gpu, visible.size, &visible.normals());
+        let normals = images::vector_texture(gpu, visible.size, &visible.normals(self.axes));
         let normals = normals.create_view(&Default::default());
-
-        // The mask pass over the engine's depth and normals.
-        let mut mask = None;
-        for interface in self.interfaces {
-            let Resolve::Mask { depth, .. } = interface else { continue };
-            let depth = match depth {
-                MaskDepth::ReversedZ => {
-                    images::depth_texture(gpu, visible.size, &visible.reversed_depths(view))
-                }
-                MaskDepth::Linear => images::float_texture(gpu, visible.size, &visible.linear_depths()),
-            };
-            let depth = depth.create_view(&Default::default());
-            let inputs = MaskInputs { depth: &depth, normal: Some(&normals) };
-            let target = mask.insert(target()).create_view(&Default::default());
-            self.service
-                .mask(&mut encoder, &frame, &inputs, &target, None)
-                .expect("the inputs are what the case declares");
-        }
+        let mask = self.record_mask(&mut encoder, &frame, view, visible);
 
         // The engine's own material.
         let material = self.material.as_ref().map(|material| {
-            let positions = images::vector_texture(gpu, visible.size, &visible.positions());
+            let positions = images::vector_texture(gpu, visible.size, &visible.positions(self.axes));
             let positions = positions.create_view(&Default::default());
             let lit = target();
             let target = lit.create_view(&Default::default());
@@ -105,6 +89,53 @@ impl<'a> Stage<'a> {
 
         let red = |image: wgpu::Texture| images::red(gpu, &image);
         Drawn { plan, map: self.map(), mask: mask.map(red), material: material.map(red) }
+    }
+
+    /// Masks of several plans for one view, all prepared before any is recorded, in one submission.
+    ///
+    /// # Panics
+    /// When a plan belongs to another case, or the case declares no mask.
+    pub fn masks_together(&mut self, plans: &[&ShadowPlan], view: &View, visible: &Visible) -> Vec<Vec<u8>> {
+        let prepare = |plan: &&ShadowPlan| self.service.prepare(plan, view, &self.casters);
+        let frames: Vec<_> =
+            plans.iter().map(prepare).collect::<Result<_, _>>().expect("the plans belong to the case");
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        let record = |frame: &PreparedFrame| {
+            self.service.capture(&mut encoder, frame, None).expect("the frame is fresh");
+            self.record_mask(&mut encoder, frame, view, visible).expect("the case declares a mask")
+        };
+        let masks: Vec<_> = frames.iter().map(record).collect();
+        self.gpu.queue.submit([encoder.finish()]);
+        masks.iter().map(|mask| images::red(self.gpu, mask)).collect()
+    }
+
+    /// Records the mask pass over the engine's depth and normals, if the case declares one.
+    fn record_mask(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &PreparedFrame,
+        view: &View,
+        visible: &Visible,
+    ) -> Option<wgpu::Texture> {
+        let (gpu, size) = (self.gpu, visible.size);
+        let declared = self.interfaces.iter().find_map(|interface| match interface {
+            Resolve::Mask { depth, .. } => Some(*depth),
+            Resolve::Function { .. } => None,
+        });
+        let depth = match declared? {
+            MaskDepth::ReversedZ => images::depth_texture(gpu, size, &visible.reversed_depths(view)),
+            MaskDepth::Linear => images::float_texture(gpu, size, &visible.linear_depths()),
+        };
+        let depth = depth.create_view(&Default::default());
+        let normals = images::vector_texture(gpu, size, &visible.normals(self.axes));
+        let normals = normals.create_view(&Default::default());
+        let inputs = MaskInputs { depth: &depth, normal: Some(&normals) };
+        let target = images::target(gpu, size, wgpu::TextureFormat::R8Unorm);
+        let target_view = target.create_view(&Default::default());
+        self.service
+            .mask(encoder, frame, &inputs, &target_view, None)
+            .expect("the inputs are what the case declares");
+        Some(target)
     }
 
     /// A frame with its capture recorded.

@@ -1,6 +1,6 @@
 //! A small scene with everything that is hard: a wide ground, boxes, thin poles, tilted sheets, a tower above the view.
 
-use cssm_core::glam::{DAffine3, DQuat, DVec3};
+use cssm_core::glam::{DAffine3, DMat3, DQuat, DVec3};
 use cssm_core::{BoundingBox, Light, ShadowPlan, View};
 use cssm_runtime::{CasterInstance, ServiceError, ShadowService};
 
@@ -83,15 +83,21 @@ impl Yard {
         Ok(self.places.iter().map(instance).collect())
     }
 
-    /// Triangles of one place relative to the eye.
-    pub fn place_from_eye(&self, place: usize, eye_world: DVec3) -> Vec<[DVec3; 3]> {
+    /// Triangles of one place relative to the eye, world axes, as the device reads them in a camera's axes.
+    pub fn place_from_eye(
+        &self,
+        place: usize,
+        eye_world: DVec3,
+        camera_from_world: &DMat3,
+    ) -> Vec<[DVec3; 3]> {
         let (shape, world_from_object) = &self.places[place];
-        self.geometries[*shape].triangles_from_eye(world_from_object, eye_world).collect()
+        self.geometries[*shape].triangles_from_eye(world_from_object, eye_world, camera_from_world).collect()
     }
 
-    /// All triangles relative to the eye.
-    pub fn triangles_from_eye(&self, eye_world: DVec3) -> Vec<[DVec3; 3]> {
-        (0..self.places.len()).flat_map(|place| self.place_from_eye(place, eye_world)).collect()
+    /// All triangles relative to a view's eye.
+    pub fn triangles_from_eye(&self, view: &View) -> Vec<[DVec3; 3]> {
+        let place = |place| self.place_from_eye(place, view.eye_world, &view.camera_from_world);
+        (0..self.places.len()).flat_map(place).collect()
     }
 
     /// Whether the service draws a place into a facet of a plan: its box's shadow reaches the facet.

@@ -25,6 +25,8 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
         map,
         filter,
         bias,
+        casters,
+        axes,
         resolve,
         prefix,
     } = case;
@@ -38,6 +40,7 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
     let map = map_spec(map);
     let filter = variant("Filter", filter);
     let bias = bias_value(bias);
+    let (casters, axes) = (variant("Casters", casters), variant("Axes", axes));
     let resolve = resolve.iter().map(interface);
     quote! {
         #docs
@@ -58,6 +61,8 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
                 map: #map,
                 filter: #filter,
                 bias: #bias,
+                casters: #casters,
+                axes: #axes,
                 resolve: Vec::from([#(#resolve),*]),
                 prefix: #prefix.into(),
             }

@@ -17,6 +17,10 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
         map_format,
         sectors,
         bands,
+        clips,
+        may_reverse_depth,
+        axes,
+        shears,
         fetches_per_pixel,
         constants: _,
         records: _,
@@ -28,7 +32,8 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
     let fingerprint: Literal = hexadecimal(*fingerprint);
     let (map_width, map_height) = (number(*map_width), number(*map_height));
     let map_format = variant("DepthFormat", map_format);
-    let (sectors, bands) = (number(*sectors), number(*bands));
+    let (sectors, bands, clips) = (number(*sectors), number(*bands), number(*clips));
+    let axes = variant("Axes", axes);
     let fetches_per_pixel = number(*fetches_per_pixel);
     let constants = constants(table);
     let records = records(table);
@@ -42,7 +47,7 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
         mod tables {
             use ::std::borrow::Cow;
 
-            use #crate_path::core::case::DepthFormat;
+            use #crate_path::core::case::{Axes, DepthFormat};
             use #crate_path::core::table::*;
 
             pub(super) const TABLE: CaseTable = CaseTable {
@@ -54,6 +59,10 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
                 map_format: #map_format,
                 sectors: #sectors,
                 bands: #bands,
+                clips: #clips,
+                may_reverse_depth: #may_reverse_depth,
+                axes: #axes,
+                shears: #shears,
                 fetches_per_pixel: #fetches_per_pixel,
                 constants: Cow::Borrowed(CONSTANTS),
                 records: Cow::Borrowed(RECORDS),

@@ -126,6 +126,104 @@ fn hostile_bytes_do_not_panic() {
 
 #[test]
 fn other_names_are_refused_with_the_remedy() {
-    let text = Scene::load("forest").expect_err("no such scene").to_string();
-    assert_eq!(text, "there is no scene forest; name palm, city, or a .gltf or .glb file");
+    let text = Scene::load("jungle").expect_err("no such scene").to_string();
+    assert_eq!(text, "there is no scene jungle; name palm, city, pavilion, forest, or a .gltf or .glb file");
+}
+
+/// Gives the triangle a material with a mask of two columns, the left one a hole, and texture coordinates that equal
+/// its x and y.
+fn masked(json: &mut serde_json::Value) {
+    let mut image = Vec::new();
+    let mut encoder = png::Encoder::new(&mut image, 2, 1);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.write_header().unwrap().write_image_data(&[9, 9, 9, 100, 9, 9, 9, 200]).unwrap();
+    let base64 = &base64::engine::general_purpose::STANDARD;
+    json["images"] =
+        serde_json::json!([{ "uri": format!("data:image/png;base64,{}", base64.encode(&image)) }]);
+    json["textures"] = serde_json::json!([{ "source": 0 }]);
+    json["materials"] = serde_json::json!([{
+        "alphaMode": "MASK",
+        "pbrMetallicRoughness": { "baseColorTexture": { "index": 0, "texCoord": 1 } },
+    }]);
+    let bytes: Vec<u8> = [0.0_f32, 0.0, 1.0, 0.0, 0.0, 1.0].iter().flat_map(|uv| uv.to_le_bytes()).collect();
+    json["buffers"].as_array_mut().unwrap().push(serde_json::json!(
+        { "byteLength": 24, "uri": format!("data:;base64,{}", base64.encode(&bytes)) }
+    ));
+    json["bufferViews"].as_array_mut().unwrap().push(serde_json::json!({ "buffer": 1, "byteLength": 24 }));
+    json["accessors"].as_array_mut().unwrap().push(serde_json::json!(
+        { "bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC2" }
+    ));
+    let primitive = &mut json["meshes"][0]["primitives"][0];
+    primitive["material"] = 0.into();
+    primitive["attributes"]["TEXCOORD_1"] = 2.into();
+}
+
+fn mask(edit: impl Fn(&mut serde_json::Value)) -> Option<super::super::AlphaMask> {
+    let scene = parsed(|json| {
+        masked(json);
+        edit(json);
+    });
+    scene.unwrap().meshes.swap_remove(0).mask
+}
+
+#[test]
+fn masks_are_read_with_their_own_texture_coordinates() {
+    let found = mask(|_| {}).unwrap();
+    assert_eq!((found.width, found.height, found.cutoff), (2, 1, 0.5));
+    assert_eq!(found.alpha, [100, 200]);
+    assert_eq!(found.uvs, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    assert!(found.is_hole(0.25, 0.5) && !found.is_hole(0.75, 0.5));
+
+    // The material's cutoff and alpha count; a mask without holes is none.
+    assert_eq!(mask(|json| json["materials"][0]["alphaCutoff"] = 0.2.into()), None);
+    assert_eq!(mask(|json| json["materials"][0]["alphaMode"] = "OPAQUE".into()), None);
+    let faint = |json: &mut serde_json::Value| {
+        json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = serde_json::json!([1, 1, 1, 0.5]);
+    };
+    assert_eq!(mask(faint).unwrap().hole_share(), 1.0);
+    let untextured = |json: &mut serde_json::Value| {
+        json["materials"][0]["pbrMetallicRoughness"] = serde_json::json!({});
+    };
+    assert_eq!(mask(untextured), None);
+}
+
+#[test]
+fn texture_transforms_move_masks() {
+    let moved = mask(|json| {
+        json["extensionsUsed"] = serde_json::json!(["KHR_texture_transform"]);
+        json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = serde_json::json!({
+            "KHR_texture_transform": { "offset": [0.5, 0.0], "scale": [2.0, 1.0], "rotation": std::f64::consts::FRAC_PI_2 }
+        });
+    });
+    // Scaled first, then turned counter-clockwise seen with v down, then moved.
+    let uvs = moved.unwrap().uvs;
+    for (found, expected) in uvs.iter().zip([[0.5, 0.0], [0.5, -2.0], [1.5, 0.0]]) {
+        assert!((found[0] - expected[0]).abs() + (found[1] - expected[1]).abs() < 1e-6, "{uvs:?}");
+    }
+}
+
+#[test]
+fn broken_masks_are_typed_errors() {
+    type Edit = fn(&mut serde_json::Value);
+    let cases: [(&str, Edit); 5] = [
+        ("image 0 cannot be used as an alpha mask: leaf.png", |json| {
+            json["images"][0]["uri"] = "leaf.png".into();
+        }),
+        ("no PNG or JPEG", |json| json["images"][0]["uri"] = "data:;base64,AAAA".into()),
+        ("but not its texture coordinates", |json| {
+            json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 0.into();
+        }),
+        ("another number of texture coordinates", |json| json["accessors"][2]["count"] = 2.into()),
+        ("it holds Vec3 where Vec2", |json| {
+            json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 0.into();
+        }),
+    ];
+    for (expected, edit) in cases {
+        let text = message(|json| {
+            masked(json);
+            edit(json);
+        });
+        assert!(text.contains(expected), "expected {expected:?} in {text:?}");
+    }
 }

@@ -1,0 +1,92 @@
+//! Perspective: one piece, seen from an eye that is pushed back until a share of the rows lies before a focus distance
+//! (camera space shadow maps, section 3; any share).
+
+use super::{DistanceRange, DistributionSpec, Piece};
+use crate::schema::{Arguments, Choice, Default, Field, Kind, Unit};
+
+pub(super) const SPEC: DistributionSpec = DistributionSpec {
+    choice: Choice {
+        name: "perspective",
+        summary: "one perspective whose eye is pushed back until a share of the rows lies before the focus",
+        arguments: &[
+            Field {
+                name: "focus",
+                summary: "the focus distance",
+                kind: Kind::Number { min: 0.0, max: 1e9, open: true, unit: Unit::Length },
+                default: Default::Value("10 m"),
+            },
+            Field {
+                name: "share",
+                summary: "share of the rows before the focus",
+                kind: Kind::Number { min: 0.0, max: 1.0, open: true, unit: Unit::None },
+                default: Default::Value("0.5"),
+            },
+        ],
+    },
+    pieces: |_| 1,
+    split,
+};
+
+fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
+    let focus = arguments.number("focus").unwrap_or(10.0);
+    let share = arguments.number("share").unwrap_or(0.5);
+    vec![perspective_piece(focus, share, range)]
+}
+
+/// A whole column with `share` of its rows before `focus_metres`.
+pub fn perspective_piece(focus_metres: f64, share: f64, range: &DistanceRange) -> Piece {
+    let core = range.core_metres;
+    let (near, far) = (range.nearest_metres + core, range.farthest_metres + core);
+    Piece {
+        nearest_metres: range.nearest_metres,
+        farthest_metres: range.farthest_metres,
+        push_back_metres: core + push_back_metres(focus_metres, share, near, far),
+    }
+}
+
+/// How far to push the eye back so that `share` of the rows lies between `near` and `focus`; infinite where even
+/// uniform rows spend less there, 0 where the view's own perspective spends less.
+fn push_back_metres(focus: f64, share: f64, near: f64, far: f64) -> f64 {
+    // Solve (1/(n+o) - 1/(F+o)) / (1/(n+o) - 1/(f+o)) = q for o.
+    let before = focus - near;
+    let push_back = if far.is_finite() {
+        let excess = share * (far - near) - before;
+        if excess <= 0.0 {
+            return f64::INFINITY;
+        }
+        (before * far - share * focus * (far - near)) / excess
+    } else {
+        focus * (1.0 - share) / share - near / share
+    };
+    push_back.max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::push_back_metres;
+
+    fn share_before(focus: f64, near: f64, far: f64, push_back: f64) -> f64 {
+        let row = |distance: f64| 1.0 / (near + push_back) - 1.0 / (distance + push_back);
+        row(focus) / row(far)
+    }
+
+    #[test]
+    fn the_share_of_rows_before_the_focus_is_the_declared_one() {
+        for (focus, share, near, far) in [
+            (10.0, 0.5, 0.2, 1000.0),
+            (10.0, 0.8, 0.2, 1e6),
+            (50.0, 0.25, 0.1, f64::INFINITY),
+            (2.0, 0.6, 0.1, 30.0),
+        ] {
+            let push_back = push_back_metres(focus, share, near, far);
+            let found = share_before(focus, near, far, push_back);
+            assert!((found - share).abs() < 1e-9, "{focus} {share} {near} {far}: {found}");
+        }
+    }
+
+    #[test]
+    fn focuses_out_of_range_stay_at_the_ends() {
+        assert_eq!(push_back_metres(600.0, 0.5, 0.2, 1000.0), f64::INFINITY);
+        assert_eq!(push_back_metres(0.3, 0.5, 0.2, 1000.0), 0.0);
+    }
+}

@@ -1,0 +1,81 @@
+//! A draft fitted to the map: windows, tiles, predicted quality.
+
+use super::PlanError;
+use super::window::{self, Window};
+use crate::case::LightCase;
+use crate::choose::Prediction;
+use crate::facet::Tile;
+use crate::layout::{self, MapArea, TileDemand};
+use crate::technique::{Draft, Region, Situation};
+
+/// A draft with a tile for every facet that has receivers.
+pub(super) struct Fitted<'a> {
+    pub(super) draft: &'a Draft,
+    pub(super) windows: Vec<Window<'a>>,
+    /// Tile of each window.
+    pub(super) tiles: Vec<Tile>,
+    /// 95th percentile of the footprint over sample receivers; infinite where too many have no facet.
+    pub(super) p95_pixels: f64,
+}
+
+impl Fitted<'_> {
+    pub(super) fn prediction(&self) -> Prediction {
+        Prediction { configuration: self.draft.configuration, p95_pixels: self.p95_pixels }
+    }
+}
+
+/// Fits the windows of a draft and shares the map among them.
+pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>) -> Result<Fitted<'a>, PlanError> {
+    let (windows, outside) = window::fit(draft, situation);
+    let area = map_area(situation.case);
+
+    // One demand for each tile: a facet's own, or a square's.
+    let mut demands: Vec<TileDemand> = Vec::new();
+    let mut squares: Vec<(u32, usize)> = Vec::new();
+    let mut places = Vec::with_capacity(windows.len());
+    for window in &windows {
+        let known = match window.draft.region {
+            Region::Tile(_) => None,
+            Region::Triangle { square, .. } => squares.iter().find(|(known, _)| *known == square),
+        };
+        let place = match known {
+            Some((_, place)) => {
+                demands[*place].samples.extend_from_slice(&window.grams);
+                *place
+            }
+            None => {
+                demands.push(window.demand());
+                if let Region::Triangle { square, .. } = window.draft.region {
+                    squares.push((square, demands.len() - 1));
+                }
+                demands.len() - 1
+            }
+        };
+        places.push(place);
+    }
+    let placed = if demands.is_empty() { Vec::new() } else { layout::place(&demands, &area)? };
+    let tiles: Vec<Tile> = places.into_iter().map(|place| placed[place]).collect();
+
+    // Predict over the view's own samples, not over those added where a facet had few.
+    let mut footprints = vec![f64::INFINITY; outside];
+    for (window, tile) in windows.iter().zip(&tiles) {
+        let inner = |side: u32| f64::from(side.saturating_sub(2 * tile.gutter));
+        let (width, height) = (inner(tile.width), inner(tile.height));
+        let seen = window.grams.iter().take(window.seen);
+        footprints.extend(seen.map(|gram| gram.major_pixels(width, height)));
+    }
+    footprints.sort_by(f64::total_cmp);
+    let rank = (0.95 * footprints.len() as f64) as usize;
+    let p95_pixels = footprints.get(rank).copied().unwrap_or(0.0);
+    Ok(Fitted { draft, windows, tiles, p95_pixels })
+}
+
+/// The map of a case.
+pub(super) fn map_area(case: &LightCase) -> MapArea {
+    MapArea {
+        width: case.map.width,
+        height: case.map.height,
+        gutter: case.gutter_texels(),
+        strips: case.map.columns,
+    }
+}

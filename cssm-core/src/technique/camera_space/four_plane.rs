@@ -1,0 +1,193 @@
+//! Four planes: the view's four side faces fill one square of the map, in four triangles that meet in the image t of the
+//! eye's own light ray (camera space shadow maps, section 3, dueling frusta).
+//!
+//! Face k is spanned by T, a point of that ray, and two neighbouring corners of the far plane; T goes to t in the
+//! square, the corners to the square's corners. T is pushed along the light ray to the focus depth, which leaves its
+//! image where it is: the farther, the less of the map the surroundings of the eye take. Pushed straight along the
+//! camera's axis instead (the paper warns of it), T leaves the ray and the triangles share the square almost alike.
+//!
+//! Where t leaves the view, or comes close to its edge, the rectangle of the view is enlarged until t lies inside
+//! again, on one side only; the border to light from outside needs no rotation of the camera. Far outside one plane is
+//! better and the same shader serves it; both are offered and the smaller predicted footprint wins.
+
+use glam::{DVec2, DVec4};
+
+use super::side_faces::{self, SideFace};
+use super::{columns, one_plane};
+use crate::distribution;
+use crate::facet::{FacetShape, Selection};
+use crate::light::LightPosition;
+use crate::plan::PlanError;
+use crate::receivers::{DEPTH_ROW, Polytope};
+use crate::schema::{Choice, Default, Field, Kind, Unit, Word};
+use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TileRequest};
+
+/// A square has four triangles.
+const SECTORS: u32 = 4;
+/// Two edges of a triangle are inner ones.
+const CLIPS: u32 = 2;
+/// Least distance of t from the rectangle's edge, in sides of the view's own.
+const MARGIN: f64 = 0.05;
+/// The same in gutters of the map.
+const MARGIN_GUTTERS: f64 = 8.0;
+/// Share of the rows before the focus in the form on one plane.
+const EVEN_SHARE: f64 = 0.5;
+/// Largest enlarged area, in areas of the view's own, that is worth a try.
+const LARGEST_AREA: f64 = 16.0;
+
+pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
+    choice: Choice {
+        name: "four_plane",
+        summary: "the four side faces in one square; for light in, behind or just outside the view",
+        arguments: &[
+            Field {
+                name: "push",
+                summary: "which way the point where the triangles meet is pushed to the focus",
+                kind: Kind::Choice(&[
+                    Choice::plain("t", "along the light ray through the eye"),
+                    Choice::plain("camera", "straight along the camera's axis; for comparison, it is worse"),
+                ]),
+                default: Default::Value("t"),
+            },
+            Field {
+                name: "focus",
+                summary: "depth that it is pushed to",
+                kind: Kind::Number { min: 0.0, max: 1e9, open: true, unit: Unit::Length },
+                default: Default::Value("10 m"),
+            },
+        ],
+    },
+    takes_distribution: false,
+    serves: |position| position != LightPosition::General,
+    shape: |_, _| FacetShape { sectors: SECTORS, bands: 1, clips: CLIPS },
+    draft,
+};
+
+fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
+    let focus = word.arguments.number("focus").unwrap_or(10.0);
+    let straight = word.arguments.word("push").is_some_and(|push| push.name == "camera");
+    let square = Square::around(situation).map(|square| square.draft(situation, focus, straight));
+    let outside = LightPosition::of(situation.view, situation.light.truncate()) != LightPosition::Dueling;
+    let plane = (outside || square.is_none()).then(|| on_one_plane(situation, focus));
+    Ok(square.into_iter().chain(plane).collect())
+}
+
+/// The rectangle of the view at depth 1, enlarged where t needs it.
+struct Square {
+    low: DVec2,
+    high: DVec2,
+    /// Tangents of the light ray through the eye.
+    t: DVec2,
+}
+
+impl Square {
+    /// `None` where t lies too far away.
+    fn around(situation: &Situation<'_>) -> Option<Self> {
+        // Bound the receivers on the screen.
+        let tangents = |row: DVec4| situation.receivers.ratio_range(row, DEPTH_ROW);
+        let ((left, right), (bottom, top)) = (tangents(DVec4::X), tangents(DVec4::Y));
+        let (low, high) = (DVec2::new(left, bottom), DVec2::new(right, top));
+        let size = high - low;
+        if !(size.min_element() > 0.0 && size.is_finite()) {
+            return None;
+        }
+
+        // Take t in, with room for the gutters of the smallest triangle.
+        let light = situation.light;
+        let t = DVec2::new(light.x, light.y) / -light.z;
+        if !t.is_finite() {
+            return None;
+        }
+        let map = situation.case.map;
+        let gutters = MARGIN_GUTTERS * f64::from(situation.case.gutter_texels() + 1);
+        let margin = size * MARGIN.max(gutters / f64::from(map.width.min(map.height)));
+        let enlarged = Self { low: low.min(t - margin), high: high.max(t + margin), t };
+        let area = |size: DVec2| size.x * size.y;
+        (area(enlarged.high - enlarged.low) <= LARGEST_AREA * area(size)).then_some(enlarged)
+    }
+
+    fn corners(&self) -> [DVec2; 4] {
+        [self.low, DVec2::new(self.high.x, self.low.y), self.high, DVec2::new(self.low.x, self.high.y)]
+    }
+
+    /// Where tangents fall in the square, from -1 to 1.
+    fn ndc(&self, tangents: DVec2) -> DVec2 {
+        (tangents * 2.0 - self.low - self.high) / (self.high - self.low)
+    }
+
+    fn draft(&self, situation: &Situation<'_>, focus: f64, straight: bool) -> Draft {
+        let (near, far) = situation.receivers.range(DEPTH_ROW);
+        let depth = focus.clamp(near, far);
+
+        // Find T, and the point of depth 0 on the light ray through it, from which faces are spanned.
+        let tip = if straight { self.t * (near / depth) } else { self.t };
+        let apex = ((tip - self.t) * depth).extend(0.0);
+        let corner = |tangents: DVec2| tangents.extend(-1.0) - apex / far;
+        let corners = self.corners().map(corner);
+        let toward = situation.light.truncate();
+        let faces = side_faces::entered_first(apex, corners, toward);
+
+        let facets = faces.iter().enumerate().map(|(sector, face)| {
+            let triangle = Triangle { face, square: self, tip: self.ndc(tip), depth, far };
+            triangle.facet(sector as u32, &situation.receivers)
+        });
+        Draft {
+            configuration: SPEC.choice.name,
+            facets: facets.collect(),
+            selection: Selection {
+                borders: faces.iter().map(|face| face.start).collect(),
+                distances: Vec::new(),
+                thresholds: Vec::new(),
+                bands: 1,
+            },
+        }
+    }
+}
+
+/// One side face and its triangle of the square.
+struct Triangle<'a> {
+    face: &'a SideFace,
+    square: &'a Square,
+    /// Image of T in the square.
+    tip: DVec2,
+    /// Depth of T.
+    depth: f64,
+    /// Depth of the corners; may be infinite.
+    far: f64,
+}
+
+impl Triangle<'_> {
+    fn facet(&self, sector: u32, receivers: &Polytope) -> FacetDraft {
+        // Weigh the anchors T, c_k, c_(k+1) by their depths: the square shows the view's own perspective there.
+        let corners = self.square.corners().map(|corner| self.square.ndc(corner));
+        let (one, two) = (corners[self.face.corner], corners[(self.face.corner + 1) % 4]);
+        let SideFace { s, t, .. } = *self.face;
+        let at_tip = (DVec4::W - (s + t) / self.far) * self.depth;
+        let sides = self.face.sides();
+        FacetDraft {
+            sector,
+            band: 0,
+            x: at_tip * self.tip.x + s * one.x + t * two.x,
+            y: at_tip * self.tip.y + s * one.y + t * two.y,
+            w: at_tip + s + t,
+            receivers: receivers.cut_by(&sides),
+            select: sides.to_vec(),
+            region: Region::Triangle {
+                square: 0,
+                request: TileRequest::Footprint,
+                corners: [self.tip, one, two],
+            },
+        }
+    }
+}
+
+/// The form for light from far outside the view.
+fn on_one_plane(situation: &Situation<'_>, focus: f64) -> Draft {
+    let column = one_plane::column(situation);
+    let piece = distribution::perspective_piece(focus, EVEN_SHARE, &columns::range(&column, situation));
+    Draft {
+        configuration: SPEC.choice.name,
+        selection: Selection::single(),
+        facets: columns::split(&column, &[piece]),
+    }
+}

@@ -1,0 +1,63 @@
+//! Side faces of a pyramid of view, as the light sees them.
+//!
+//! Through the apex and two neighbouring corner directions c_k, c_(k+1) runs a side face. A point X, moved along the
+//! light L onto that plane, is apex + s c_k + t c_(k+1). The faces with positive signed area in the light's view are
+//! those that hold the smallest depth along a ray; they tile the pyramid's silhouette without gap or overlap.
+
+use glam::{DVec3, DVec4};
+
+/// Signed area, relative to the largest, below which a face holds no rays.
+const AREA_TOLERANCE: f64 = 1e-9;
+
+/// A side face that rays enter first.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SideFace {
+    /// Index of its first corner; the second is the next one.
+    pub(super) corner: usize,
+    /// Row that is zero on the border through the face's first corner and positive towards the face.
+    pub(super) start: DVec4,
+    /// Row that is zero on the border through the face's second corner and positive past it.
+    pub(super) end: DVec4,
+    /// Coordinate along the first corner's direction.
+    pub(super) s: DVec4,
+    /// Coordinate along the second corner's direction.
+    pub(super) t: DVec4,
+}
+
+impl SideFace {
+    /// Half-spaces of the points that belong to the face.
+    pub(super) fn sides(&self) -> [DVec4; 2] {
+        [self.start, -self.end]
+    }
+}
+
+/// The faces with positive signed area in the light's view, in walking order. Corners lie at depth 1 below the apex,
+/// counter-clockwise as the camera sees them.
+pub(super) fn entered_first(apex: DVec3, corners: [DVec3; 4], toward_light: DVec3) -> Vec<SideFace> {
+    // Orient areas as the image rectangle is oriented in the light's view.
+    let sign = if toward_light.z >= 0.0 { 1.0 } else { -1.0 };
+    let areas: [f64; 4] =
+        std::array::from_fn(|k| sign * corners[k].cross(corners[(k + 1) % 4]).dot(toward_light));
+    let largest = areas.iter().fold(0.0_f64, |largest, area| largest.max(area.abs()));
+    let entered = |k: usize| areas[k % 4] > AREA_TOLERANCE * largest;
+
+    // Entered faces follow each other around the pyramid: begin behind one that is not entered.
+    let first = (0..4).find(|k| entered(*k) && !entered(k + 3)).unwrap_or(0);
+    let row = |normal: DVec3| normal.extend(-normal.dot(apex));
+    (first..first + 4)
+        .take_while(|k| entered(*k))
+        .map(|k| {
+            let (one, two) = (corners[k % 4], corners[(k + 1) % 4]);
+            let start = sign * toward_light.cross(one);
+            let end = sign * toward_light.cross(two);
+            // Cramer's rule for X - apex = s one + t two + m L.
+            SideFace {
+                corner: k % 4,
+                start: row(start.normalize()),
+                end: row(end.normalize()),
+                s: row(-end / areas[k % 4]),
+                t: row(start / areas[k % 4]),
+            }
+        })
+        .collect()
+}

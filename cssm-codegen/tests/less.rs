@@ -198,7 +198,7 @@ fn without_a_shear_the_axes_change_comments_alone() {
 fn only_camera_axes_that_texels_follow_are_sheared() {
     let sheared = |body: &str| {
         let generated = declared(body);
-        let shaders = generated.table.shaders.iter().any(|shader| shader.wgsl.contains("shear"));
+        let shaders = generated.table.shaders.iter().any(|shader| shader.wgsl.contains("shadow.shear"));
         assert_eq!(shaders, generated.json.contains("\"name\": \"shear\""), "{body}");
         shaders
     };

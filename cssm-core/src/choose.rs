@@ -48,6 +48,8 @@ pub enum ChoiceReason {
 pub struct Prediction {
     /// The configuration.
     pub configuration: &'static str,
+    /// Which of its forms; empty where it has one.
+    pub form: &'static str,
     /// 95th percentile of the texel footprint over sample receivers, screen pixels; infinite where it leaves out more
     /// than a twentieth of them.
     pub p95_pixels: f64,
@@ -64,9 +66,10 @@ impl fmt::Display for ConfigurationChoice {
                 write!(out, "kept for {frames} more frames, nearly the smallest predicted p95 footprint")?;
             }
         }
-        for (index, Prediction { configuration, p95_pixels }) in predictions.iter().enumerate() {
+        for (index, Prediction { configuration, form, p95_pixels }) in predictions.iter().enumerate() {
             let lead = if index == 0 { " (" } else { ", " };
-            write!(out, "{lead}{configuration} {p95_pixels:.2} px")?;
+            let space = if form.is_empty() { "" } else { " " };
+            write!(out, "{lead}{configuration}{space}{form} {p95_pixels:.2} px")?;
         }
         if !predictions.is_empty() {
             write!(out, ")")?;

@@ -102,7 +102,9 @@ impl RecordKind {
         match self {
             Self::Facet => "What resolving needs of one facet; all zero where a plan has none.",
             Self::Shadow => "What resolving needs of a plan.",
-            Self::Capture => "What capturing needs of one facet, in the capture's axes: its matrix, row by row.",
+            Self::Capture => {
+                "What capturing needs of one facet, in the capture's axes: its matrix, row by row."
+            }
             Self::CasterMask => "What capturing needs of an alpha-tested caster.",
             Self::Mask => "What the mask pass needs of the view.",
         }

@@ -121,6 +121,8 @@ pub struct Situation<'a> {
 pub struct Draft {
     /// Chosen configuration.
     pub configuration: &'static str,
+    /// Which of the configuration's forms this is; empty where it has one.
+    pub form: &'static str,
     /// The walk from a receiver to its facet.
     pub selection: Selection,
     /// The facets.

@@ -6,7 +6,7 @@
 mod capture;
 mod resolve;
 
-pub use capture::{Triangle, capture};
+pub use capture::{Triangle, capture, capture_tested};
 pub use resolve::{Resolved, resolve};
 
 use crate::case::DepthFormat;

@@ -113,7 +113,7 @@ fn a_chooser_dwells_where_two_are_equally_good() {
     let (low, _) = switch_between(&case, &view, 180.0, 25.0, 45.0);
 
     // Rock the light across it: without memory every frame switches.
-    let rocking = |frame: u32| low + if frame % 2 == 0 { -1e-3 } else { 1e-3 };
+    let rocking = |frame: u32| low + if frame.is_multiple_of(2_u32) { -1e-3 } else { 1e-3 };
     let configurations: Vec<_> = (0..100).map(|frame| at(rocking(frame)).configuration).collect();
     let switches = |names: &[&str]| names.windows(2).filter(|pair| pair[0] != pair[1]).count();
     assert_eq!(switches(&configurations), 99);

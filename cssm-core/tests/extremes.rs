@@ -140,7 +140,7 @@ fn rounding_moves_nothing_anyone_could_see() {
         let cases = cases(2048, reach);
         for light in extreme_lights(&view, &mut random) {
             for (index, case) in cases.iter().enumerate() {
-                if !full && random.bits() % 24 != 0 {
+                if !full && !random.bits().is_multiple_of(24) {
                     continue;
                 }
                 let place = || {

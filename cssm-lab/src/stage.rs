@@ -115,7 +115,7 @@ impl<'a> Stage<'a> {
     ) -> Result<Attempt<'_>, LabError> {
         // A scene with alpha masks needs shaders that read them.
         let mut case = case.clone();
-        if self.scene.meshes.iter().any(|mesh| mesh.mask.is_some()) {
+        if self.scene.has_masks() {
             case.casters = Casters::AlphaTested;
         }
 

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use cssm_core::case::Casters;
 use cssm_core::glam::DVec3;
 use cssm_core::{Light, LightCase, ShadowPlan, View, plan};
 use cssm_lab::case_file::pick_case;
@@ -24,13 +25,18 @@ fn sun() -> LightCase {
 /// Sets the palm stage on a device of its own.
 fn on_stage(act: impl FnOnce(&Stage<'_>)) {
     let scene = Scene::palm();
+    on_stage_of(&scene, &scene, act);
+}
+
+/// Sets a stage that draws one scene and traces another.
+fn on_stage_of(scene: &Scene, traced: &Scene, act: impl FnOnce(&Stage<'_>)) {
     let spot = scene.views[0];
     let view = View::perspective(spot.eye_world, spot.target_world, DVec3::Y, 1.0, 0.2, f64::INFINITY, SIZE)
         .unwrap();
     let light = Light::directional_travelling(spot.light_travels).unwrap();
     let gpu = Gpu::open(&[&sun()], SIZE).unwrap();
     let options = StageOptions { supersample: true, progress: Progress::Hidden };
-    act(&Stage::new(&gpu, &scene, &Tracer::new(&scene), view, light, options).unwrap());
+    act(&Stage::new(&gpu, scene, &Tracer::new(traced), view, light, options).unwrap());
 }
 
 fn planned(stage: &Stage<'_>, case: &LightCase) -> ShadowPlan {
@@ -90,4 +96,27 @@ fn errors_shrink_as_the_map_grows() {
         assert!(mismatches.is_sorted_by(|coarse, fine| coarse > fine), "{mismatches:?}");
         assert!(found.interior <= 1e-4, "{}", found.interior);
     });
+}
+
+#[test]
+fn masks_are_drawn_with_their_holes() {
+    let forest = Scene::forest();
+    let on = |drawn: &Scene| {
+        let mut found = None;
+        on_stage_of(drawn, &forest, |stage| {
+            let attempt = stage.attempt(&sun(), ResolveMethod::Function).unwrap();
+            found = Some((attempt.case.casters, attempt.outcome().unwrap().score));
+        });
+        found.unwrap()
+    };
+    let (casters, right) = on(&forest);
+    assert_eq!(casters, Casters::AlphaTested);
+    assert!(right.true_edge_pixels > 1000 && interior(&right) <= 1e-4, "{right:?}");
+
+    // Drawn without its masks the forest casts the shadows of whole cards.
+    let mut whole = forest.clone();
+    whole.meshes.iter_mut().for_each(|mesh| mesh.mask = None);
+    let (casters, wrong) = on(&whole);
+    assert_eq!(casters, Casters::Opaque);
+    assert!(wrong.acne.total > 3.0 * right.acne.total, "{:?} after {:?}", wrong.acne, right.acne);
 }

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use cssm_core::case::Filter;
 use cssm_core::glam::DVec3;
+use cssm_core::light::LightPosition;
 use cssm_core::{Light, SceneBounds, View, plan};
 use cssm_lab::case_file::pick_case;
 use cssm_lab::scene::Scene;
@@ -25,10 +26,14 @@ fn shows_facet_corner(facets: &[u32]) -> bool {
     })
 }
 
+/// Elevation of the light below which shadows are long, in degrees.
+const LOW_SUN_DEGREES: f64 = 20.0;
+
 #[test]
 fn views_show_shadows_edges_and_a_facet_corner() {
     let text = "pub case Sun { technique: camera_space, distribution: bands(8), prefix: sun }";
     let sun = pick_case(Path::new("sun.cssm"), text, None).unwrap();
+    let (mut low, mut dueling) = (0, 0);
     for scene in [Scene::palm(), Scene::city(), Scene::pavilion(), Scene::forest()] {
         let tracer = Tracer::new(&scene);
         let bounds = SceneBounds { receivers: scene.bounds_world() };
@@ -56,7 +61,14 @@ fn views_show_shadows_edges_and_a_facet_corner() {
             assert!(score.interior_area >= 0.3, "{name} {index}: {} interior", score.interior_area);
             assert_eq!(score.acne.total, 0.0, "a map that lights everything has no acne");
             corners += usize::from(shows_facet_corner(&assignment.facets));
+            let elevation = libm::asin(-spot.light_travels.normalize().y).to_degrees();
+            low += usize::from(elevation < LOW_SUN_DEGREES);
+            dueling += usize::from(plan.choice.position == LightPosition::Dueling);
         }
         assert!(corners > 0, "{} shows no facet corner", scene.name);
     }
+    assert!(
+        low >= 2 && dueling >= 3,
+        "{low} views with a low sun, {dueling} with a light in or opposite the view"
+    );
 }

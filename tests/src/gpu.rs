@@ -10,6 +10,7 @@ pub mod device;
 pub mod dueling;
 pub mod hand;
 pub mod images;
+pub mod place_probe;
 pub mod resolve;
 pub mod score;
 pub mod stage;

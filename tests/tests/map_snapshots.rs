@@ -4,10 +4,10 @@
 //! functions and of scene construction may change.
 
 use cssm_core::case::LightCase;
-use cssm_core::glam::DVec3;
-use cssm_core::twin::{DepthMap, Triangle, capture};
+use cssm_core::glam::{DVec2, DVec3};
+use cssm_core::twin::{DepthMap, Triangle, capture_tested};
 use cssm_core::{Light, SceneBounds, ShadowPlan, View, plan};
-use cssm_lab::scene::Scene;
+use cssm_lab::scene::{AlphaMask, Scene, Viewpoint};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, Snapshot};
 use shaders_gen::shipped;
@@ -67,22 +67,53 @@ fn decode(bytes: &[u8]) -> Option<((u32, u32), Vec<u16>)> {
     Some(((info.width, info.height), texels.collect()))
 }
 
-/// The first view of a scene, its plan under a case, and its triangles relative to the eye.
-fn situation(scene: &Scene, case: &LightCase) -> (ShadowPlan, Vec<Triangle>) {
-    let viewpoint = scene.views[0];
-    let (eye, target) = (viewpoint.eye_world, viewpoint.target_world);
-    let view = View::perspective(eye, target, DVec3::Y, 1.0, 0.1, f64::INFINITY, (640, 360)).unwrap();
-    let light = Light::directional_travelling(viewpoint.light_travels).unwrap();
-    let plan = plan(case, &view, &light, &SceneBounds { receivers: scene.bounds_world() }).unwrap();
-    let triangles = scene.instances.iter().flat_map(|instance| {
-        let mesh = &scene.meshes[instance.mesh];
-        let corner = move |index: &u32| {
-            let [x, y, z] = mesh.positions[*index as usize].map(f64::from);
-            instance.world_from_object.transform_point3(DVec3::new(x, y, z)) - eye
+/// What the twin draws: a plan, triangles relative to the eye, and the mask and texture coordinates of those that have
+/// one.
+struct Situation<'a> {
+    plan: ShadowPlan,
+    triangles: Vec<Triangle>,
+    cutouts: Vec<Option<(&'a AlphaMask, [DVec2; 3])>>,
+}
+
+impl<'a> Situation<'a> {
+    /// The first view of a scene whose light the case is made for.
+    fn new(scene: &'a Scene, case: &LightCase) -> Self {
+        let planned = |viewpoint: &Viewpoint| {
+            let (eye, target) = (viewpoint.eye_world, viewpoint.target_world);
+            let view = View::perspective(eye, target, DVec3::Y, 1.0, 0.1, f64::INFINITY, (640, 360)).unwrap();
+            let light = Light::directional_travelling(viewpoint.light_travels).unwrap();
+            plan(case, &view, &light, &SceneBounds { receivers: scene.bounds_world() }).unwrap()
         };
-        mesh.indices.chunks_exact(3).map(move |corners| [&corners[0], &corners[1], &corners[2]].map(corner))
-    });
-    (plan, triangles.collect())
+        let made_for = |plan: &ShadowPlan| plan.choice.made_for_position.is_empty();
+        let plan = scene.views.iter().map(planned).find(made_for).expect("a case is made for some view");
+        let eye = plan.eye_world;
+        let mut situation = Self { plan, triangles: Vec::new(), cutouts: Vec::new() };
+        for instance in &scene.instances {
+            let mesh = &scene.meshes[instance.mesh];
+            for corners in mesh.indices.chunks_exact(3) {
+                let corners = [corners[0], corners[1], corners[2]].map(|corner| corner as usize);
+                situation.triangles.push(corners.map(|corner| {
+                    let object = DVec3::from(mesh.positions[corner].map(f64::from));
+                    instance.world_from_object.transform_point3(object) - eye
+                }));
+                situation.cutouts.push(
+                    mesh.mask.as_ref().map(|mask| {
+                        (mask, corners.map(|corner| DVec2::from(mask.uvs[corner].map(f64::from))))
+                    }),
+                );
+            }
+        }
+        situation
+    }
+
+    fn map(&self) -> Vec<u8> {
+        encode(&capture_tested(&self.plan, &self.triangles, |index, weights| {
+            self.cutouts[index].is_none_or(|(mask, uvs)| {
+                let uv = uvs[0] * weights.x + uvs[1] * weights.y + uvs[2] * weights.z;
+                !mask.is_hole(uv.x, uv.y)
+            })
+        }))
+    }
 }
 
 fn sized(text: &str, size: u32) -> LightCase {
@@ -92,8 +123,7 @@ fn sized(text: &str, size: u32) -> LightCase {
 }
 
 fn lock(name: &str, scene: &Scene, case: &LightCase) -> Vec<u8> {
-    let (plan, triangles) = situation(scene, case);
-    let picture = encode(&capture(&plan, &triangles));
+    let picture = Situation::new(scene, case).map();
     let mut settings = Settings::clone_current();
     settings.set_snapshot_path("maps");
     settings.set_prepend_module_to_snapshot(false);
@@ -104,12 +134,12 @@ fn lock(name: &str, scene: &Scene, case: &LightCase) -> Vec<u8> {
 
 #[test]
 fn maps_of_the_shipped_cases_are_locked() {
-    let (palm, city) = (Scene::palm(), Scene::city());
-    lock("palm_sun", &palm, &sized(shipped::SUN, 512));
-    lock("palm_pssm4_log", &palm, &sized(shipped::PSSM4_LOG, 512));
-    lock("palm_standard", &palm, &sized(shipped::STANDARD, 512));
-    lock("city_sun", &city, &sized(shipped::SUN, 512));
-    lock("city_pssm4_log", &city, &sized(shipped::PSSM4_LOG, 512));
+    for scene in [Scene::palm(), Scene::city(), Scene::pavilion(), Scene::forest()] {
+        for text in shipped::ALL {
+            let case = sized(text, 256);
+            lock(&format!("{}_{}", scene.name, case.prefix), &scene, &case);
+        }
+    }
 }
 
 #[test]
@@ -117,8 +147,7 @@ fn fewer_bands_change_the_picture() {
     let palm = Scene::palm();
     let of = |bands: &str| {
         let case = sized(&shipped::SUN.replace("bands(8)", bands), 256);
-        let (plan, triangles) = situation(&palm, &case);
-        encode(&capture(&plan, &triangles))
+        Situation::new(&palm, &case).map()
     };
     let (eight, five) = (of("bands(8)"), of("bands(5)"));
     assert_eq!(differing_share(&eight, &of("bands(8)")), Some(0.0));
@@ -129,8 +158,17 @@ fn fewer_bands_change_the_picture() {
 fn a_missing_caster_is_seen() {
     let palm = Scene::palm();
     let case = sized(shipped::SUN, 256);
-    let (plan, mut triangles) = situation(&palm, &case);
-    let whole = encode(&capture(&plan, &triangles));
-    triangles.truncate(triangles.len() / 2);
-    assert!(differing_share(&whole, &encode(&capture(&plan, &triangles))).unwrap() > EDGE_SHARE);
+    let mut situation = Situation::new(&palm, &case);
+    let whole = situation.map();
+    situation.triangles.truncate(situation.triangles.len() / 2);
+    assert!(differing_share(&whole, &situation.map()).unwrap() > EDGE_SHARE);
+}
+
+#[test]
+fn leaves_without_their_holes_are_seen() {
+    let forest = Scene::forest();
+    let mut situation = Situation::new(&forest, &sized(shipped::SUN, 256));
+    let cut = situation.map();
+    situation.cutouts.fill(None);
+    assert!(differing_share(&cut, &situation.map()).unwrap() > EDGE_SHARE);
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use cssm_core::LightCase;
-use cssm_core::case::{Axes, Casters, Filter, MaskDepth, MaskNormal, Resolve};
+use cssm_core::case::{Casters, Filter, MaskDepth, MaskNormal, Resolve};
 use cssm_core::light::LightPosition;
 use cssm_core::table::{BindingKind, CaseTable, ConstantValue, FieldType, RecordKind, Resource, ShaderKind};
 

@@ -82,8 +82,8 @@ fn clip_distances_are_refused_where_the_table_has_no_clips() {
     let wrong = format!(
         "enable clip_distances;\n{}{cut}",
         text.replace(head, &head.replace("@builtin(position) vec4<f32>", "Cut")).replace(
-            "return sun_tile_position(sun_camera_position(vertex));",
-            "return Cut(sun_tile_position(sun_camera_position(vertex)), array<f32, 2>(1.0, 1.0));"
+            "return sun_tile_position(sun_capture_position(vertex));",
+            "return Cut(sun_tile_position(sun_capture_position(vertex)), array<f32, 2>(1.0, 1.0));"
         )
     );
     let refused = judge(&wrong, &table, ShaderKind::Capture);

@@ -12,8 +12,8 @@ struct CasterVertex {
     @location(3) eye_from_object_z: vec4<f32>,
 }
 
-/// Moves a vertex from its object to the eye, into the capture's axes: no coordinate is large that the view or the light
-/// shows small.
+/// Moves a vertex from its object to the eye, into the capture's axes: no coordinate is large that the view or the
+/// light shows small.
 fn capture_position(vertex: CasterVertex) -> vec4<f32> {
     let object = vec4<f32>(vertex.position, 1.0);
     return vec4<f32>(

@@ -20,7 +20,11 @@ pub(super) struct Fitted<'a> {
 
 impl Fitted<'_> {
     pub(super) fn prediction(&self) -> Prediction {
-        Prediction { configuration: self.draft.configuration, p95_pixels: self.p95_pixels }
+        Prediction {
+            configuration: self.draft.configuration,
+            form: self.draft.form,
+            p95_pixels: self.p95_pixels,
+        }
     }
 }
 

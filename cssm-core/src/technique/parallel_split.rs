@@ -106,6 +106,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     });
     Ok(vec![Draft {
         configuration: CONFIGURATION.choice.name,
+        form: "",
         facets: facets.collect(),
         selection: Selection {
             borders: Vec::new(),

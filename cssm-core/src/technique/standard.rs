@@ -32,6 +32,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let (x, y) = light_plane_axes(situation.light);
     Ok(vec![Draft {
         configuration: CONFIGURATION.choice.name,
+        form: "",
         selection: Selection::single(),
         facets: vec![FacetDraft {
             sector: 0,

@@ -12,10 +12,20 @@ pub type Triangle = [DVec3; 3];
 /// Renders casters into the map of a plan: every texel centre keeps the depth nearest to the light,
 /// clamped to [0, 1].
 pub fn capture(plan: &ShadowPlan, triangles: &[Triangle]) -> DepthMap {
+    capture_tested(plan, triangles, |_, _| true)
+}
+
+/// Renders casters with holes: `is_solid` is asked for every covered texel centre, with the triangle's index and the
+/// weights of its corners there, perspective-correct.
+pub fn capture_tested(
+    plan: &ShadowPlan,
+    triangles: &[Triangle],
+    is_solid: impl Fn(usize, DVec3) -> bool,
+) -> DepthMap {
     let mut map = DepthMap::cleared(plan.map_size_texels.0, plan.map_size_texels.1, plan.depth_order);
     for facet in &plan.facets {
-        for triangle in triangles {
-            draw(&mut map, facet, triangle, plan.depth_order);
+        for (index, triangle) in triangles.iter().enumerate() {
+            draw(&mut map, facet, triangle, plan.depth_order, &|weights| is_solid(index, weights));
         }
     }
     map
@@ -24,7 +34,13 @@ pub fn capture(plan: &ShadowPlan, triangles: &[Triangle]) -> DepthMap {
 /// Determinant, relative to its factors, below which a triangle is edge-on to the light.
 const EDGE_ON: f64 = 1e-14;
 
-fn draw(map: &mut DepthMap, facet: &Facet, triangle: &Triangle, order: DepthOrder) {
+fn draw(
+    map: &mut DepthMap,
+    facet: &Facet,
+    triangle: &Triangle,
+    order: DepthOrder,
+    is_solid: &dyn Fn(DVec3) -> bool,
+) {
     let rows = &facet.rows;
     let corners = triangle.map(|corner| {
         let point = corner.extend(1.0);
@@ -80,7 +96,13 @@ fn draw(map: &mut DepthMap, facet: &Facet, triangle: &Triangle, order: DepthOrde
         let mut column = first;
         while column <= last {
             let x = 2.0 * (column + 0.5) / width - 1.0;
-            let depth = depth_row.dot(DVec3::new(x, y, 1.0)).clamp(0.0, 1.0);
+            let centre = DVec3::new(x, y, 1.0);
+            let weights = DVec3::from(edges.map(|edge| edge.dot(centre)));
+            if !is_solid(weights / weights.element_sum()) {
+                column += 1.0;
+                continue;
+            }
+            let depth = depth_row.dot(centre).clamp(0.0, 1.0);
             let texel = &mut map.depths[start + column as usize];
             *texel = match order {
                 DepthOrder::Standard => texel.min(depth),

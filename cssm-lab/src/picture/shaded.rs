@@ -9,7 +9,7 @@ const SKY_HORIZON: [f64; 3] = [0.66, 0.77, 0.88];
 const SUNLIGHT: [f64; 3] = [1.25, 1.18, 1.02];
 const SKYLIGHT: [f64; 3] = [0.24, 0.28, 0.36];
 /// Distance over which air hides all but a share of 1/e of what lies behind it.
-const HAZE_METRES: f64 = 1500.0;
+const HAZE_METRES: f64 = 2500.0;
 
 /// Lambert's law with the map's visibility, light from the sky, and haze in the distance.
 pub fn shaded_picture(scene: &Scene, frame: &Frame, visibility: &[f32]) -> Picture {

@@ -60,7 +60,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         selection.distances.clear();
         selection.thresholds.clear();
     }
-    Ok(vec![Draft { configuration: SPEC.choice.name, selection, facets }])
+    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", selection, facets }])
 }
 
 /// Border row of a sector; see [`Selection::borders`]. The outer ones of a run that does not close are the frustum's own

@@ -133,6 +133,7 @@ impl Square {
         });
         Draft {
             configuration: SPEC.choice.name,
+            form: "in a square",
             facets: facets.collect(),
             selection: Selection {
                 borders: faces.iter().map(|face| face.start).collect(),
@@ -187,6 +188,7 @@ fn on_one_plane(situation: &Situation<'_>, focus: f64) -> Draft {
     let piece = distribution::perspective_piece(focus, EVEN_SHARE, &columns::range(&column, situation));
     Draft {
         configuration: SPEC.choice.name,
+        form: "on one plane",
         selection: Selection::single(),
         facets: columns::split(&column, &[piece]),
     }

@@ -42,7 +42,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         selection.distances.push(column.distance);
         selection.thresholds.push(limits);
     }
-    Ok(vec![Draft { configuration: SPEC.choice.name, selection, facets }])
+    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", selection, facets }])
 }
 
 /// The column on the plane.

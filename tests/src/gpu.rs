@@ -8,6 +8,7 @@ pub mod checkered;
 pub mod depth_bracket;
 pub mod device;
 pub mod dueling;
+pub mod extremes;
 pub mod hand;
 pub mod images;
 pub mod place_probe;

@@ -24,7 +24,6 @@ pub struct Placed {
     pub w: f64,
     /// Whether the shader would look into the map there.
     pub covered: bool,
-    pub pt: DVec2,
 }
 
 /// The generated function behind an entry point of our own: a row of pixels for each plan, a pixel for each position.
@@ -188,7 +187,7 @@ impl<'a> PlaceProbe<'a> {
             texel: DVec2::new(f64::from(one[1]), f64::from(one[2])),
             signed_depth: f64::from(one[3]),
             w: f64::from(two[0]),
-            covered: two[1] == 1.0, pt: DVec2::new(f64::from(two[2]), f64::from(two[3])),
+            covered: two[1] == 1.0,
         });
         let placed: Vec<_> = placed.collect();
         placed.chunks(width.max(1)).map(<[_]>::to_vec).collect()
@@ -221,7 +220,7 @@ fn probe_fragment(@builtin(position) pixel: vec4<f32>) -> ProbePlaced {
     let covered = select(0.0, 1.0, place.covered);
     return ProbePlaced(
         vec4<f32>(f32(index), place.texel, place.ndc.z),
-        vec4<f32>(place.w, covered, point.xy),
+        vec4<f32>(place.w, covered, 0.0, 0.0),
     );
 }
 ";

@@ -126,7 +126,7 @@ pub mod four_plane {
         assert!(::core::mem::offset_of!(FourPlaneShadow, depth_sign) == 80);
         assert!(::core::mem::offset_of!(FourPlaneShadow, facets) == 96);
     };
-    /// What capturing needs of one facet, in camera axes: its matrix, row by row.
+    /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
     #[derive(
         Clone,
         Copy,
@@ -576,14 +576,14 @@ pub mod four_plane {
     }
     /// WGSL of the capture shader.
     pub const CAPTURE_WGSL: &str = r#"// FourPlane: renders casters into one facet of the shadow map; needs unclipped depth and clip distances.
-// Positions are relative to the eye, in camera axes: x right, y up, looking along -z.
+// Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
 // Generated from light case `FourPlane`, ce376f06917511be. Do not edit.
 
 enable clip_distances;
 
-/// What capturing needs of one facet, in camera axes: its matrix, row by row.
+/// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct FourPlaneCapture {
     /// Clip x of the tile, to the right.
     row_x: vec4<f32>,
@@ -605,7 +605,7 @@ var<uniform> four_plane_capture: FourPlaneCapture;
 struct FourPlaneCasterVertex {
     /// Position in the object's own space.
     @location(0) position: vec3<f32>,
-    /// First of the instance's rows; they take the object's space to camera axes relative to the eye.
+    /// First of the instance's rows; they take the object's space to the capture's axes, relative to the eye.
     @location(1) eye_from_object_x: vec4<f32>,
     /// Second row.
     @location(2) eye_from_object_y: vec4<f32>,
@@ -613,9 +613,9 @@ struct FourPlaneCasterVertex {
     @location(3) eye_from_object_z: vec4<f32>,
 }
 
-/// Moves a vertex from its object to the eye, into camera axes (x right, y up, looking along -z): no coordinate is
-/// large that the view shows small.
-fn four_plane_camera_position(vertex: FourPlaneCasterVertex) -> vec4<f32> {
+/// Moves a vertex from its object to the eye, into the capture's axes: no coordinate is large that the view or the
+/// light shows small.
+fn four_plane_capture_position(vertex: FourPlaneCasterVertex) -> vec4<f32> {
     let object = vec4<f32>(vertex.position, 1.0);
     return vec4<f32>(
         dot(vertex.eye_from_object_x, object),
@@ -625,7 +625,7 @@ fn four_plane_camera_position(vertex: FourPlaneCasterVertex) -> vec4<f32> {
     );
 }
 
-/// Applies the facet's matrix, row by row, to a position in camera axes.
+/// Applies the facet's matrix, row by row, to a position in the capture's axes.
 fn four_plane_tile_position(position: vec4<f32>) -> vec4<f32> {
     return vec4<f32>(
         dot(four_plane_capture.row_x, position),
@@ -635,7 +635,7 @@ fn four_plane_tile_position(position: vec4<f32>) -> vec4<f32> {
     );
 }
 
-/// Distances of a position in camera axes from the facet's half-spaces; negative outside.
+/// Distances of a position in the capture's axes from the facet's half-spaces; negative outside.
 fn four_plane_clip_values(position: vec4<f32>) -> vec2<f32> {
     return vec2<f32>(dot(four_plane_capture.clips[0], position), dot(four_plane_capture.clips[1], position));
 }
@@ -651,7 +651,7 @@ struct FourPlaneClippedCaster {
 /// Places a caster's vertex in the tile and measures the facet's half-spaces there.
 @vertex
 fn four_plane_capture_vertex(vertex: FourPlaneCasterVertex) -> FourPlaneClippedCaster {
-    let position = four_plane_camera_position(vertex);
+    let position = four_plane_capture_position(vertex);
     let clips = four_plane_clip_values(position);
     return FourPlaneClippedCaster(four_plane_tile_position(position), array<f32, 2>(clips.x, clips.y));
 }
@@ -660,12 +660,12 @@ fn four_plane_capture_vertex(vertex: FourPlaneCasterVertex) -> FourPlaneClippedC
     pub const CAPTURE_SPIRV: &[u8] = b"\x03\x02#\x07\0\x03\x01\0\x1C\0\0\0d\0\0\0\0\0\0\0\x11\0\x02\0\x01\0\0\0\x11\0\x02\0 \0\0\0\x0B\0\x06\0\x01\0\0\0GLSL.std.450\0\0\0\0\x0E\0\x03\0\0\0\0\0\x01\0\0\0\x0F\0\x10\0\0\0\0\0W\0\0\0four_plane_capture_vertex\0\0\0I\0\0\0L\0\0\0O\0\0\0Q\0\0\0S\0\0\0U\0\0\0G\0\x04\0\x05\0\0\0\x06\0\0\0\x10\0\0\0H\0\x05\0\x08\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x08\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x08\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x08\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x08\0\0\0\x04\0\0\0#\0\0\0@\0\0\0H\0\x05\0\n\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\n\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\n\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\n\0\0\0\x03\0\0\0#\0\0\x000\0\0\0G\0\x04\0\x0C\0\0\0\x06\0\0\0\x04\0\0\0H\0\x05\0\r\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\r\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0G\0\x04\0\x0E\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x0E\0\0\0!\0\0\0\0\0\0\0G\0\x03\0\x0F\0\0\0\x02\0\0\0H\0\x05\0\x0F\0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\0I\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\0L\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0O\0\0\0\x1E\0\0\0\x02\0\0\0G\0\x04\0Q\0\0\0\x1E\0\0\0\x03\0\0\0G\0\x04\0S\0\0\0\x0B\0\0\0\0\0\0\0G\0\x04\0U\0\0\0\x0B\0\0\0\x03\0\0\0\x13\0\x02\0\x02\0\0\0\x16\0\x03\0\x03\0\0\0 \0\0\0\x17\0\x04\0\x04\0\0\0\x03\0\0\0\x04\0\0\0\x15\0\x04\0\x07\0\0\0 \0\0\0\0\0\0\0+\0\x04\0\x07\0\0\0\x06\0\0\0\x02\0\0\0\x1C\0\x04\0\x05\0\0\0\x04\0\0\0\x06\0\0\0\x1E\0\x07\0\x08\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x05\0\0\0\x17\0\x04\0\t\0\0\0\x03\0\0\0\x03\0\0\0\x1E\0\x06\0\n\0\0\0\t\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x17\0\x04\0\x0B\0\0\0\x03\0\0\0\x02\0\0\0\x1C\0\x04\0\x0C\0\0\0\x03\0\0\0\x06\0\0\0\x1E\0\x04\0\r\0\0\0\x04\0\0\0\x0C\0\0\0\x1E\0\x03\0\x0F\0\0\0\x08\0\0\0 \0\x04\0\x10\0\0\0\x02\0\0\0\x0F\0\0\0;\0\x04\0\x10\0\0\0\x0E\0\0\0\x02\0\0\0!\0\x04\0\x14\0\0\0\x04\0\0\0\n\0\0\0+\0\x04\0\x03\0\0\0\x15\0\0\0\0\0\x80?!\0\x04\0#\0\0\0\x04\0\0\0\x04\0\0\0 \0\x04\0$\0\0\0\x02\0\0\0\x08\0\0\0+\0\x04\0\x07\0\0\0%\0\0\0\0\0\0\0 \0\x04\0(\0\0\0\x02\0\0\0\x04\0\0\0+\0\x04\0\x07\0\0\0,\0\0\0\x01\0\0\0+\0\x04\0\x07\0\0\x003\0\0\0\x03\0\0\0!\0\x04\0;\0\0\0\x0B\0\0\0\x04\0\0\0 \0\x04\0>\0\0\0\x02\0\0\0\x05\0\0\0+\0\x04\0\x07\0\0\0?\0\0\0\x04\0\0\0 \0\x04\0J\0\0\0\x01\0\0\0\t\0\0\0;\0\x04\0J\0\0\0I\0\0\0\x01\0\0\0 \0\x04\0M\0\0\0\x01\0\0\0\x04\0\0\0;\0\x04\0M\0\0\0L\0\0\0\x01\0\0\0;\0\x04\0M\0\0\0O\0\0\0\x01\0\0\0;\0\x04\0M\0\0\0Q\0\0\0\x01\0\0\0 \0\x04\0T\0\0\0\x03\0\0\0\x04\0\0\0;\0\x04\0T\0\0\0S\0\0\0\x03\0\0\0 \0\x04\0V\0\0\0\x03\0\0\0\x0C\0\0\0;\0\x04\0V\0\0\0U\0\0\0\x03\0\0\0!\0\x03\0X\0\0\0\x02\0\0\x006\0\x05\0\x04\0\0\0\x13\0\0\0\0\0\0\0\x14\0\0\x007\0\x03\0\n\0\0\0\x12\0\0\0\xF8\0\x02\0\x11\0\0\0\xF9\0\x02\0\x16\0\0\0\xF8\0\x02\0\x16\0\0\0Q\0\x05\0\t\0\0\0\x17\0\0\0\x12\0\0\0\0\0\0\0P\0\x05\0\x04\0\0\0\x18\0\0\0\x17\0\0\0\x15\0\0\0Q\0\x05\0\x04\0\0\0\x19\0\0\0\x12\0\0\0\x01\0\0\0\x94\0\x05\0\x03\0\0\0\x1A\0\0\0\x19\0\0\0\x18\0\0\0Q\0\x05\0\x04\0\0\0\x1B\0\0\0\x12\0\0\0\x02\0\0\0\x94\0\x05\0\x03\0\0\0\x1C\0\0\0\x1B\0\0\0\x18\0\0\0Q\0\x05\0\x04\0\0\0\x1D\0\0\0\x12\0\0\0\x03\0\0\0\x94\0\x05\0\x03\0\0\0\x1E\0\0\0\x1D\0\0\0\x18\0\0\0P\0\x07\0\x04\0\0\0\x1F\0\0\0\x1A\0\0\0\x1C\0\0\0\x1E\0\0\0\x15\0\0\0\xFE\0\x02\0\x1F\0\0\08\0\x01\x006\0\x05\0\x04\0\0\0\"\0\0\0\0\0\0\0#\0\0\x007\0\x03\0\x04\0\0\0!\0\0\0\xF8\0\x02\0 \0\0\0A\0\x05\0$\0\0\0&\0\0\0\x0E\0\0\0%\0\0\0\xF9\0\x02\0'\0\0\0\xF8\0\x02\0'\0\0\0A\0\x05\0(\0\0\0)\0\0\0&\0\0\0%\0\0\0=\0\x04\0\x04\0\0\0*\0\0\0)\0\0\0\x94\0\x05\0\x03\0\0\0+\0\0\0*\0\0\0!\0\0\0A\0\x05\0(\0\0\0-\0\0\0&\0\0\0,\0\0\0=\0\x04\0\x04\0\0\0.\0\0\0-\0\0\0\x94\0\x05\0\x03\0\0\0/\0\0\0.\0\0\0!\0\0\0A\0\x05\0(\0\0\x000\0\0\0&\0\0\0\x06\0\0\0=\0\x04\0\x04\0\0\x001\0\0\x000\0\0\0\x94\0\x05\0\x03\0\0\x002\0\0\x001\0\0\0!\0\0\0A\0\x05\0(\0\0\x004\0\0\0&\0\0\x003\0\0\0=\0\x04\0\x04\0\0\x005\0\0\x004\0\0\0\x94\0\x05\0\x03\0\0\x006\0\0\x005\0\0\0!\0\0\0P\0\x07\0\x04\0\0\x007\0\0\0+\0\0\0/\0\0\x002\0\0\x006\0\0\0\xFE\0\x02\x007\0\0\08\0\x01\x006\0\x05\0\x0B\0\0\0:\0\0\0\0\0\0\0;\0\0\x007\0\x03\0\x04\0\0\09\0\0\0\xF8\0\x02\08\0\0\0A\0\x05\0$\0\0\0<\0\0\0\x0E\0\0\0%\0\0\0\xF9\0\x02\0=\0\0\0\xF8\0\x02\0=\0\0\0A\0\x06\0(\0\0\0@\0\0\0<\0\0\0?\0\0\0%\0\0\0=\0\x04\0\x04\0\0\0A\0\0\0@\0\0\0\x94\0\x05\0\x03\0\0\0B\0\0\0A\0\0\09\0\0\0A\0\x06\0(\0\0\0C\0\0\0<\0\0\0?\0\0\0,\0\0\0=\0\x04\0\x04\0\0\0D\0\0\0C\0\0\0\x94\0\x05\0\x03\0\0\0E\0\0\0D\0\0\09\0\0\0P\0\x05\0\x0B\0\0\0F\0\0\0B\0\0\0E\0\0\0\xFE\0\x02\0F\0\0\08\0\x01\x006\0\x05\0\x02\0\0\0W\0\0\0\0\0\0\0X\0\0\0\xF8\0\x02\0G\0\0\0=\0\x04\0\t\0\0\0K\0\0\0I\0\0\0=\0\x04\0\x04\0\0\0N\0\0\0L\0\0\0=\0\x04\0\x04\0\0\0P\0\0\0O\0\0\0=\0\x04\0\x04\0\0\0R\0\0\0Q\0\0\0P\0\x07\0\n\0\0\0H\0\0\0K\0\0\0N\0\0\0P\0\0\0R\0\0\0A\0\x05\0$\0\0\0Y\0\0\0\x0E\0\0\0%\0\0\0\xF9\0\x02\0Z\0\0\0\xF8\0\x02\0Z\0\0\09\0\x05\0\x04\0\0\0[\0\0\0\x13\0\0\0H\0\0\09\0\x05\0\x0B\0\0\0\\\0\0\0:\0\0\0[\0\0\09\0\x05\0\x04\0\0\0]\0\0\0\"\0\0\0[\0\0\0Q\0\x05\0\x03\0\0\0^\0\0\0\\\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0_\0\0\0\\\0\0\0\x01\0\0\0P\0\x05\0\x0C\0\0\0`\0\0\0^\0\0\0_\0\0\0P\0\x05\0\r\0\0\0a\0\0\0]\0\0\0`\0\0\0Q\0\x05\0\x04\0\0\0b\0\0\0a\0\0\0\0\0\0\0>\0\x03\0S\0\0\0b\0\0\0Q\0\x05\0\x0C\0\0\0c\0\0\0a\0\0\0\x01\0\0\0>\0\x03\0U\0\0\0c\0\0\0\xFD\0\x01\08\0\x01\0";
     /// WGSL of the capture_clamped shader.
     pub const CAPTURE_CLAMPED_WGSL: &str = r#"// FourPlane: renders casters into one facet of the shadow map; clamps depth and cuts by itself.
-// Positions are relative to the eye, in camera axes: x right, y up, looking along -z.
+// Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
 // Generated from light case `FourPlane`, ce376f06917511be. Do not edit.
 
-/// What capturing needs of one facet, in camera axes: its matrix, row by row.
+/// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct FourPlaneCapture {
     /// Clip x of the tile, to the right.
     row_x: vec4<f32>,
@@ -687,7 +687,7 @@ var<uniform> four_plane_capture: FourPlaneCapture;
 struct FourPlaneCasterVertex {
     /// Position in the object's own space.
     @location(0) position: vec3<f32>,
-    /// First of the instance's rows; they take the object's space to camera axes relative to the eye.
+    /// First of the instance's rows; they take the object's space to the capture's axes, relative to the eye.
     @location(1) eye_from_object_x: vec4<f32>,
     /// Second row.
     @location(2) eye_from_object_y: vec4<f32>,
@@ -695,9 +695,9 @@ struct FourPlaneCasterVertex {
     @location(3) eye_from_object_z: vec4<f32>,
 }
 
-/// Moves a vertex from its object to the eye, into camera axes (x right, y up, looking along -z): no coordinate is
-/// large that the view shows small.
-fn four_plane_camera_position(vertex: FourPlaneCasterVertex) -> vec4<f32> {
+/// Moves a vertex from its object to the eye, into the capture's axes: no coordinate is large that the view or the
+/// light shows small.
+fn four_plane_capture_position(vertex: FourPlaneCasterVertex) -> vec4<f32> {
     let object = vec4<f32>(vertex.position, 1.0);
     return vec4<f32>(
         dot(vertex.eye_from_object_x, object),
@@ -707,7 +707,7 @@ fn four_plane_camera_position(vertex: FourPlaneCasterVertex) -> vec4<f32> {
     );
 }
 
-/// Applies the facet's matrix, row by row, to a position in camera axes.
+/// Applies the facet's matrix, row by row, to a position in the capture's axes.
 fn four_plane_tile_position(position: vec4<f32>) -> vec4<f32> {
     return vec4<f32>(
         dot(four_plane_capture.row_x, position),
@@ -717,7 +717,7 @@ fn four_plane_tile_position(position: vec4<f32>) -> vec4<f32> {
     );
 }
 
-/// Distances of a position in camera axes from the facet's half-spaces; negative outside.
+/// Distances of a position in the capture's axes from the facet's half-spaces; negative outside.
 fn four_plane_clip_values(position: vec4<f32>) -> vec2<f32> {
     return vec2<f32>(dot(four_plane_capture.clips[0], position), dot(four_plane_capture.clips[1], position));
 }
@@ -752,7 +752,7 @@ struct FourPlaneClampedCaster {
 /// Places a caster's vertex in the tile, but keeps its depth and the cuts for the fragment stage.
 @vertex
 fn four_plane_capture_clamped_vertex(vertex: FourPlaneCasterVertex) -> FourPlaneClampedCaster {
-    let position = four_plane_camera_position(vertex);
+    let position = four_plane_capture_position(vertex);
     let tile = four_plane_tile_position(position);
     return FourPlaneClampedCaster(four_plane_hidden_depth(tile), tile.z, tile.w, four_plane_clip_values(position));
 }

@@ -142,7 +142,7 @@ pub mod planes {
         assert!(::core::mem::offset_of!(PlanesShadow, depth_sign) == 272);
         assert!(::core::mem::offset_of!(PlanesShadow, facets) == 288);
     };
-    /// What capturing needs of one facet, in camera axes: its matrix, row by row.
+    /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
     #[derive(
         Clone,
         Copy,
@@ -618,14 +618,14 @@ pub mod planes {
     }
     /// WGSL of the capture shader.
     pub const CAPTURE_WGSL: &str = r#"// Planes: renders casters into one facet of the shadow map; needs unclipped depth and clip distances.
-// Positions are relative to the eye, in camera axes: x right, y up, looking along -z.
+// Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
 // Generated from light case `Planes`, 6fde89a0240707fd. Do not edit.
 
 enable clip_distances;
 
-/// What capturing needs of one facet, in camera axes: its matrix, row by row.
+/// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PlanesCapture {
     /// Clip x of the tile, to the right.
     row_x: vec4<f32>,
@@ -647,7 +647,7 @@ var<uniform> planes_capture: PlanesCapture;
 struct PlanesCasterVertex {
     /// Position in the object's own space.
     @location(0) position: vec3<f32>,
-    /// First of the instance's rows; they take the object's space to camera axes relative to the eye.
+    /// First of the instance's rows; they take the object's space to the capture's axes, relative to the eye.
     @location(1) eye_from_object_x: vec4<f32>,
     /// Second row.
     @location(2) eye_from_object_y: vec4<f32>,
@@ -655,9 +655,9 @@ struct PlanesCasterVertex {
     @location(3) eye_from_object_z: vec4<f32>,
 }
 
-/// Moves a vertex from its object to the eye, into camera axes (x right, y up, looking along -z): no coordinate is
-/// large that the view shows small.
-fn planes_camera_position(vertex: PlanesCasterVertex) -> vec4<f32> {
+/// Moves a vertex from its object to the eye, into the capture's axes: no coordinate is large that the view or the
+/// light shows small.
+fn planes_capture_position(vertex: PlanesCasterVertex) -> vec4<f32> {
     let object = vec4<f32>(vertex.position, 1.0);
     return vec4<f32>(
         dot(vertex.eye_from_object_x, object),
@@ -667,7 +667,7 @@ fn planes_camera_position(vertex: PlanesCasterVertex) -> vec4<f32> {
     );
 }
 
-/// Applies the facet's matrix, row by row, to a position in camera axes.
+/// Applies the facet's matrix, row by row, to a position in the capture's axes.
 fn planes_tile_position(position: vec4<f32>) -> vec4<f32> {
     return vec4<f32>(
         dot(planes_capture.row_x, position),
@@ -677,7 +677,7 @@ fn planes_tile_position(position: vec4<f32>) -> vec4<f32> {
     );
 }
 
-/// Distances of a position in camera axes from the facet's half-spaces; negative outside.
+/// Distances of a position in the capture's axes from the facet's half-spaces; negative outside.
 fn planes_clip_values(position: vec4<f32>) -> vec2<f32> {
     return vec2<f32>(dot(planes_capture.clips[0], position), dot(planes_capture.clips[1], position));
 }
@@ -693,7 +693,7 @@ struct PlanesClippedCaster {
 /// Places a caster's vertex in the tile and measures the facet's half-spaces there.
 @vertex
 fn planes_capture_vertex(vertex: PlanesCasterVertex) -> PlanesClippedCaster {
-    let position = planes_camera_position(vertex);
+    let position = planes_capture_position(vertex);
     let clips = planes_clip_values(position);
     return PlanesClippedCaster(planes_tile_position(position), array<f32, 2>(clips.x, clips.y));
 }
@@ -702,12 +702,12 @@ fn planes_capture_vertex(vertex: PlanesCasterVertex) -> PlanesClippedCaster {
     pub const CAPTURE_SPIRV: &[u8] = b"\x03\x02#\x07\0\x03\x01\0\x1C\0\0\0d\0\0\0\0\0\0\0\x11\0\x02\0\x01\0\0\0\x11\0\x02\0 \0\0\0\x0B\0\x06\0\x01\0\0\0GLSL.std.450\0\0\0\0\x0E\0\x03\0\0\0\0\0\x01\0\0\0\x0F\0\x0F\0\0\0\0\0W\0\0\0planes_capture_vertex\0\0\0I\0\0\0L\0\0\0O\0\0\0Q\0\0\0S\0\0\0U\0\0\0G\0\x04\0\x05\0\0\0\x06\0\0\0\x10\0\0\0H\0\x05\0\x08\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x08\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x08\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x08\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x08\0\0\0\x04\0\0\0#\0\0\0@\0\0\0H\0\x05\0\n\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\n\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\n\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\n\0\0\0\x03\0\0\0#\0\0\x000\0\0\0G\0\x04\0\x0C\0\0\0\x06\0\0\0\x04\0\0\0H\0\x05\0\r\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\r\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0G\0\x04\0\x0E\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x0E\0\0\0!\0\0\0\0\0\0\0G\0\x03\0\x0F\0\0\0\x02\0\0\0H\0\x05\0\x0F\0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\0I\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\0L\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0O\0\0\0\x1E\0\0\0\x02\0\0\0G\0\x04\0Q\0\0\0\x1E\0\0\0\x03\0\0\0G\0\x04\0S\0\0\0\x0B\0\0\0\0\0\0\0G\0\x04\0U\0\0\0\x0B\0\0\0\x03\0\0\0\x13\0\x02\0\x02\0\0\0\x16\0\x03\0\x03\0\0\0 \0\0\0\x17\0\x04\0\x04\0\0\0\x03\0\0\0\x04\0\0\0\x15\0\x04\0\x07\0\0\0 \0\0\0\0\0\0\0+\0\x04\0\x07\0\0\0\x06\0\0\0\x02\0\0\0\x1C\0\x04\0\x05\0\0\0\x04\0\0\0\x06\0\0\0\x1E\0\x07\0\x08\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x05\0\0\0\x17\0\x04\0\t\0\0\0\x03\0\0\0\x03\0\0\0\x1E\0\x06\0\n\0\0\0\t\0\0\0\x04\0\0\0\x04\0\0\0\x04\0\0\0\x17\0\x04\0\x0B\0\0\0\x03\0\0\0\x02\0\0\0\x1C\0\x04\0\x0C\0\0\0\x03\0\0\0\x06\0\0\0\x1E\0\x04\0\r\0\0\0\x04\0\0\0\x0C\0\0\0\x1E\0\x03\0\x0F\0\0\0\x08\0\0\0 \0\x04\0\x10\0\0\0\x02\0\0\0\x0F\0\0\0;\0\x04\0\x10\0\0\0\x0E\0\0\0\x02\0\0\0!\0\x04\0\x14\0\0\0\x04\0\0\0\n\0\0\0+\0\x04\0\x03\0\0\0\x15\0\0\0\0\0\x80?!\0\x04\0#\0\0\0\x04\0\0\0\x04\0\0\0 \0\x04\0$\0\0\0\x02\0\0\0\x08\0\0\0+\0\x04\0\x07\0\0\0%\0\0\0\0\0\0\0 \0\x04\0(\0\0\0\x02\0\0\0\x04\0\0\0+\0\x04\0\x07\0\0\0,\0\0\0\x01\0\0\0+\0\x04\0\x07\0\0\x003\0\0\0\x03\0\0\0!\0\x04\0;\0\0\0\x0B\0\0\0\x04\0\0\0 \0\x04\0>\0\0\0\x02\0\0\0\x05\0\0\0+\0\x04\0\x07\0\0\0?\0\0\0\x04\0\0\0 \0\x04\0J\0\0\0\x01\0\0\0\t\0\0\0;\0\x04\0J\0\0\0I\0\0\0\x01\0\0\0 \0\x04\0M\0\0\0\x01\0\0\0\x04\0\0\0;\0\x04\0M\0\0\0L\0\0\0\x01\0\0\0;\0\x04\0M\0\0\0O\0\0\0\x01\0\0\0;\0\x04\0M\0\0\0Q\0\0\0\x01\0\0\0 \0\x04\0T\0\0\0\x03\0\0\0\x04\0\0\0;\0\x04\0T\0\0\0S\0\0\0\x03\0\0\0 \0\x04\0V\0\0\0\x03\0\0\0\x0C\0\0\0;\0\x04\0V\0\0\0U\0\0\0\x03\0\0\0!\0\x03\0X\0\0\0\x02\0\0\x006\0\x05\0\x04\0\0\0\x13\0\0\0\0\0\0\0\x14\0\0\x007\0\x03\0\n\0\0\0\x12\0\0\0\xF8\0\x02\0\x11\0\0\0\xF9\0\x02\0\x16\0\0\0\xF8\0\x02\0\x16\0\0\0Q\0\x05\0\t\0\0\0\x17\0\0\0\x12\0\0\0\0\0\0\0P\0\x05\0\x04\0\0\0\x18\0\0\0\x17\0\0\0\x15\0\0\0Q\0\x05\0\x04\0\0\0\x19\0\0\0\x12\0\0\0\x01\0\0\0\x94\0\x05\0\x03\0\0\0\x1A\0\0\0\x19\0\0\0\x18\0\0\0Q\0\x05\0\x04\0\0\0\x1B\0\0\0\x12\0\0\0\x02\0\0\0\x94\0\x05\0\x03\0\0\0\x1C\0\0\0\x1B\0\0\0\x18\0\0\0Q\0\x05\0\x04\0\0\0\x1D\0\0\0\x12\0\0\0\x03\0\0\0\x94\0\x05\0\x03\0\0\0\x1E\0\0\0\x1D\0\0\0\x18\0\0\0P\0\x07\0\x04\0\0\0\x1F\0\0\0\x1A\0\0\0\x1C\0\0\0\x1E\0\0\0\x15\0\0\0\xFE\0\x02\0\x1F\0\0\08\0\x01\x006\0\x05\0\x04\0\0\0\"\0\0\0\0\0\0\0#\0\0\x007\0\x03\0\x04\0\0\0!\0\0\0\xF8\0\x02\0 \0\0\0A\0\x05\0$\0\0\0&\0\0\0\x0E\0\0\0%\0\0\0\xF9\0\x02\0'\0\0\0\xF8\0\x02\0'\0\0\0A\0\x05\0(\0\0\0)\0\0\0&\0\0\0%\0\0\0=\0\x04\0\x04\0\0\0*\0\0\0)\0\0\0\x94\0\x05\0\x03\0\0\0+\0\0\0*\0\0\0!\0\0\0A\0\x05\0(\0\0\0-\0\0\0&\0\0\0,\0\0\0=\0\x04\0\x04\0\0\0.\0\0\0-\0\0\0\x94\0\x05\0\x03\0\0\0/\0\0\0.\0\0\0!\0\0\0A\0\x05\0(\0\0\x000\0\0\0&\0\0\0\x06\0\0\0=\0\x04\0\x04\0\0\x001\0\0\x000\0\0\0\x94\0\x05\0\x03\0\0\x002\0\0\x001\0\0\0!\0\0\0A\0\x05\0(\0\0\x004\0\0\0&\0\0\x003\0\0\0=\0\x04\0\x04\0\0\x005\0\0\x004\0\0\0\x94\0\x05\0\x03\0\0\x006\0\0\x005\0\0\0!\0\0\0P\0\x07\0\x04\0\0\x007\0\0\0+\0\0\0/\0\0\x002\0\0\x006\0\0\0\xFE\0\x02\x007\0\0\08\0\x01\x006\0\x05\0\x0B\0\0\0:\0\0\0\0\0\0\0;\0\0\x007\0\x03\0\x04\0\0\09\0\0\0\xF8\0\x02\08\0\0\0A\0\x05\0$\0\0\0<\0\0\0\x0E\0\0\0%\0\0\0\xF9\0\x02\0=\0\0\0\xF8\0\x02\0=\0\0\0A\0\x06\0(\0\0\0@\0\0\0<\0\0\0?\0\0\0%\0\0\0=\0\x04\0\x04\0\0\0A\0\0\0@\0\0\0\x94\0\x05\0\x03\0\0\0B\0\0\0A\0\0\09\0\0\0A\0\x06\0(\0\0\0C\0\0\0<\0\0\0?\0\0\0,\0\0\0=\0\x04\0\x04\0\0\0D\0\0\0C\0\0\0\x94\0\x05\0\x03\0\0\0E\0\0\0D\0\0\09\0\0\0P\0\x05\0\x0B\0\0\0F\0\0\0B\0\0\0E\0\0\0\xFE\0\x02\0F\0\0\08\0\x01\x006\0\x05\0\x02\0\0\0W\0\0\0\0\0\0\0X\0\0\0\xF8\0\x02\0G\0\0\0=\0\x04\0\t\0\0\0K\0\0\0I\0\0\0=\0\x04\0\x04\0\0\0N\0\0\0L\0\0\0=\0\x04\0\x04\0\0\0P\0\0\0O\0\0\0=\0\x04\0\x04\0\0\0R\0\0\0Q\0\0\0P\0\x07\0\n\0\0\0H\0\0\0K\0\0\0N\0\0\0P\0\0\0R\0\0\0A\0\x05\0$\0\0\0Y\0\0\0\x0E\0\0\0%\0\0\0\xF9\0\x02\0Z\0\0\0\xF8\0\x02\0Z\0\0\09\0\x05\0\x04\0\0\0[\0\0\0\x13\0\0\0H\0\0\09\0\x05\0\x0B\0\0\0\\\0\0\0:\0\0\0[\0\0\09\0\x05\0\x04\0\0\0]\0\0\0\"\0\0\0[\0\0\0Q\0\x05\0\x03\0\0\0^\0\0\0\\\0\0\0\0\0\0\0Q\0\x05\0\x03\0\0\0_\0\0\0\\\0\0\0\x01\0\0\0P\0\x05\0\x0C\0\0\0`\0\0\0^\0\0\0_\0\0\0P\0\x05\0\r\0\0\0a\0\0\0]\0\0\0`\0\0\0Q\0\x05\0\x04\0\0\0b\0\0\0a\0\0\0\0\0\0\0>\0\x03\0S\0\0\0b\0\0\0Q\0\x05\0\x0C\0\0\0c\0\0\0a\0\0\0\x01\0\0\0>\0\x03\0U\0\0\0c\0\0\0\xFD\0\x01\08\0\x01\0";
     /// WGSL of the capture_clamped shader.
     pub const CAPTURE_CLAMPED_WGSL: &str = r#"// Planes: renders casters into one facet of the shadow map; clamps depth and cuts by itself.
-// Positions are relative to the eye, in camera axes: x right, y up, looking along -z.
+// Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
 // Generated from light case `Planes`, 6fde89a0240707fd. Do not edit.
 
-/// What capturing needs of one facet, in camera axes: its matrix, row by row.
+/// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PlanesCapture {
     /// Clip x of the tile, to the right.
     row_x: vec4<f32>,
@@ -729,7 +729,7 @@ var<uniform> planes_capture: PlanesCapture;
 struct PlanesCasterVertex {
     /// Position in the object's own space.
     @location(0) position: vec3<f32>,
-    /// First of the instance's rows; they take the object's space to camera axes relative to the eye.
+    /// First of the instance's rows; they take the object's space to the capture's axes, relative to the eye.
     @location(1) eye_from_object_x: vec4<f32>,
     /// Second row.
     @location(2) eye_from_object_y: vec4<f32>,
@@ -737,9 +737,9 @@ struct PlanesCasterVertex {
     @location(3) eye_from_object_z: vec4<f32>,
 }
 
-/// Moves a vertex from its object to the eye, into camera axes (x right, y up, looking along -z): no coordinate is
-/// large that the view shows small.
-fn planes_camera_position(vertex: PlanesCasterVertex) -> vec4<f32> {
+/// Moves a vertex from its object to the eye, into the capture's axes: no coordinate is large that the view or the
+/// light shows small.
+fn planes_capture_position(vertex: PlanesCasterVertex) -> vec4<f32> {
     let object = vec4<f32>(vertex.position, 1.0);
     return vec4<f32>(
         dot(vertex.eye_from_object_x, object),
@@ -749,7 +749,7 @@ fn planes_camera_position(vertex: PlanesCasterVertex) -> vec4<f32> {
     );
 }
 
-/// Applies the facet's matrix, row by row, to a position in camera axes.
+/// Applies the facet's matrix, row by row, to a position in the capture's axes.
 fn planes_tile_position(position: vec4<f32>) -> vec4<f32> {
     return vec4<f32>(
         dot(planes_capture.row_x, position),
@@ -759,7 +759,7 @@ fn planes_tile_position(position: vec4<f32>) -> vec4<f32> {
     );
 }
 
-/// Distances of a position in camera axes from the facet's half-spaces; negative outside.
+/// Distances of a position in the capture's axes from the facet's half-spaces; negative outside.
 fn planes_clip_values(position: vec4<f32>) -> vec2<f32> {
     return vec2<f32>(dot(planes_capture.clips[0], position), dot(planes_capture.clips[1], position));
 }
@@ -794,7 +794,7 @@ struct PlanesClampedCaster {
 /// Places a caster's vertex in the tile, but keeps its depth and the cuts for the fragment stage.
 @vertex
 fn planes_capture_clamped_vertex(vertex: PlanesCasterVertex) -> PlanesClampedCaster {
-    let position = planes_camera_position(vertex);
+    let position = planes_capture_position(vertex);
     let tile = planes_tile_position(position);
     return PlanesClampedCaster(planes_hidden_depth(tile), tile.z, tile.w, planes_clip_values(position));
 }

@@ -105,7 +105,7 @@ pub mod standard {
         assert!(size_bytes == 112);
         assert!(::core::mem::offset_of!(StandardShadow, facets) == 0);
     };
-    /// What capturing needs of one facet, in camera axes: its matrix, row by row.
+    /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
     #[derive(
         Clone,
         Copy,
@@ -515,12 +515,12 @@ pub mod standard {
     }
     /// WGSL of the capture shader.
     pub const CAPTURE_WGSL: &str = r#"// Standard: renders casters into one tile of the shadow map; needs unclipped depth.
-// Positions are relative to the eye, in camera axes: x right, y up, looking along -z.
+// Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
 // Generated from light case `Standard`, 1d7390225899067c. Do not edit.
 
-/// What capturing needs of one facet, in camera axes: its matrix, row by row.
+/// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct StandardCapture {
     /// Clip x of the tile, to the right.
     row_x: vec4<f32>,
@@ -540,7 +540,7 @@ var<uniform> standard_capture: StandardCapture;
 struct StandardCasterVertex {
     /// Position in the object's own space.
     @location(0) position: vec3<f32>,
-    /// First of the instance's rows; they take the object's space to camera axes relative to the eye.
+    /// First of the instance's rows; they take the object's space to the capture's axes, relative to the eye.
     @location(1) eye_from_object_x: vec4<f32>,
     /// Second row.
     @location(2) eye_from_object_y: vec4<f32>,
@@ -548,9 +548,9 @@ struct StandardCasterVertex {
     @location(3) eye_from_object_z: vec4<f32>,
 }
 
-/// Moves a vertex from its object to the eye, into camera axes (x right, y up, looking along -z): no coordinate is
-/// large that the view shows small.
-fn standard_camera_position(vertex: StandardCasterVertex) -> vec4<f32> {
+/// Moves a vertex from its object to the eye, into the capture's axes: no coordinate is large that the view or the
+/// light shows small.
+fn standard_capture_position(vertex: StandardCasterVertex) -> vec4<f32> {
     let object = vec4<f32>(vertex.position, 1.0);
     return vec4<f32>(
         dot(vertex.eye_from_object_x, object),
@@ -560,7 +560,7 @@ fn standard_camera_position(vertex: StandardCasterVertex) -> vec4<f32> {
     );
 }
 
-/// Applies the facet's matrix, row by row, to a position in camera axes.
+/// Applies the facet's matrix, row by row, to a position in the capture's axes.
 fn standard_tile_position(position: vec4<f32>) -> vec4<f32> {
     return vec4<f32>(
         dot(standard_capture.row_x, position),
@@ -573,19 +573,19 @@ fn standard_tile_position(position: vec4<f32>) -> vec4<f32> {
 /// Places a caster's vertex in the tile.
 @vertex
 fn standard_capture_vertex(vertex: StandardCasterVertex) -> @builtin(position) vec4<f32> {
-    return standard_tile_position(standard_camera_position(vertex));
+    return standard_tile_position(standard_capture_position(vertex));
 }
 "#;
     /// SPIR-V of the capture shader, little-endian words.
     pub const CAPTURE_SPIRV: &[u8] = b"\x03\x02#\x07\0\x03\x01\0\x1C\0\0\0H\0\0\0\0\0\0\0\x11\0\x02\0\x01\0\0\0\x0B\0\x06\0\x01\0\0\0GLSL.std.450\0\0\0\0\x0E\0\x03\0\0\0\0\0\x01\0\0\0\x0F\0\x0E\0\0\0\0\0B\0\0\0standard_capture_vertex\x006\0\0\09\0\0\0<\0\0\0>\0\0\0@\0\0\0H\0\x05\0\x05\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x05\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x05\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x05\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x07\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x07\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x07\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x07\0\0\0\x03\0\0\0#\0\0\x000\0\0\0G\0\x04\0\x08\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x08\0\0\0!\0\0\0\0\0\0\0G\0\x03\0\t\0\0\0\x02\0\0\0H\0\x05\0\t\0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\x006\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\09\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0<\0\0\0\x1E\0\0\0\x02\0\0\0G\0\x04\0>\0\0\0\x1E\0\0\0\x03\0\0\0G\0\x04\0@\0\0\0\x0B\0\0\0\0\0\0\0\x13\0\x02\0\x02\0\0\0\x16\0\x03\0\x04\0\0\0 \0\0\0\x17\0\x04\0\x03\0\0\0\x04\0\0\0\x04\0\0\0\x1E\0\x06\0\x05\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x17\0\x04\0\x06\0\0\0\x04\0\0\0\x03\0\0\0\x1E\0\x06\0\x07\0\0\0\x06\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x1E\0\x03\0\t\0\0\0\x05\0\0\0 \0\x04\0\n\0\0\0\x02\0\0\0\t\0\0\0;\0\x04\0\n\0\0\0\x08\0\0\0\x02\0\0\0!\0\x04\0\x0E\0\0\0\x03\0\0\0\x07\0\0\0+\0\x04\0\x04\0\0\0\x0F\0\0\0\0\0\x80?!\0\x04\0\x1D\0\0\0\x03\0\0\0\x03\0\0\0 \0\x04\0\x1E\0\0\0\x02\0\0\0\x05\0\0\0\x15\0\x04\0 \0\0\0 \0\0\0\0\0\0\0+\0\x04\0 \0\0\0\x1F\0\0\0\0\0\0\0 \0\x04\0#\0\0\0\x02\0\0\0\x03\0\0\0+\0\x04\0 \0\0\0'\0\0\0\x01\0\0\0+\0\x04\0 \0\0\0+\0\0\0\x02\0\0\0+\0\x04\0 \0\0\0/\0\0\0\x03\0\0\0 \0\x04\x007\0\0\0\x01\0\0\0\x06\0\0\0;\0\x04\x007\0\0\x006\0\0\0\x01\0\0\0 \0\x04\0:\0\0\0\x01\0\0\0\x03\0\0\0;\0\x04\0:\0\0\09\0\0\0\x01\0\0\0;\0\x04\0:\0\0\0<\0\0\0\x01\0\0\0;\0\x04\0:\0\0\0>\0\0\0\x01\0\0\0 \0\x04\0A\0\0\0\x03\0\0\0\x03\0\0\0;\0\x04\0A\0\0\0@\0\0\0\x03\0\0\0!\0\x03\0C\0\0\0\x02\0\0\x006\0\x05\0\x03\0\0\0\r\0\0\0\0\0\0\0\x0E\0\0\x007\0\x03\0\x07\0\0\0\x0C\0\0\0\xF8\0\x02\0\x0B\0\0\0\xF9\0\x02\0\x10\0\0\0\xF8\0\x02\0\x10\0\0\0Q\0\x05\0\x06\0\0\0\x11\0\0\0\x0C\0\0\0\0\0\0\0P\0\x05\0\x03\0\0\0\x12\0\0\0\x11\0\0\0\x0F\0\0\0Q\0\x05\0\x03\0\0\0\x13\0\0\0\x0C\0\0\0\x01\0\0\0\x94\0\x05\0\x04\0\0\0\x14\0\0\0\x13\0\0\0\x12\0\0\0Q\0\x05\0\x03\0\0\0\x15\0\0\0\x0C\0\0\0\x02\0\0\0\x94\0\x05\0\x04\0\0\0\x16\0\0\0\x15\0\0\0\x12\0\0\0Q\0\x05\0\x03\0\0\0\x17\0\0\0\x0C\0\0\0\x03\0\0\0\x94\0\x05\0\x04\0\0\0\x18\0\0\0\x17\0\0\0\x12\0\0\0P\0\x07\0\x03\0\0\0\x19\0\0\0\x14\0\0\0\x16\0\0\0\x18\0\0\0\x0F\0\0\0\xFE\0\x02\0\x19\0\0\08\0\x01\x006\0\x05\0\x03\0\0\0\x1C\0\0\0\0\0\0\0\x1D\0\0\x007\0\x03\0\x03\0\0\0\x1B\0\0\0\xF8\0\x02\0\x1A\0\0\0A\0\x05\0\x1E\0\0\0!\0\0\0\x08\0\0\0\x1F\0\0\0\xF9\0\x02\0\"\0\0\0\xF8\0\x02\0\"\0\0\0A\0\x05\0#\0\0\0$\0\0\0!\0\0\0\x1F\0\0\0=\0\x04\0\x03\0\0\0%\0\0\0$\0\0\0\x94\0\x05\0\x04\0\0\0&\0\0\0%\0\0\0\x1B\0\0\0A\0\x05\0#\0\0\0(\0\0\0!\0\0\0'\0\0\0=\0\x04\0\x03\0\0\0)\0\0\0(\0\0\0\x94\0\x05\0\x04\0\0\0*\0\0\0)\0\0\0\x1B\0\0\0A\0\x05\0#\0\0\0,\0\0\0!\0\0\0+\0\0\0=\0\x04\0\x03\0\0\0-\0\0\0,\0\0\0\x94\0\x05\0\x04\0\0\0.\0\0\0-\0\0\0\x1B\0\0\0A\0\x05\0#\0\0\x000\0\0\0!\0\0\0/\0\0\0=\0\x04\0\x03\0\0\x001\0\0\x000\0\0\0\x94\0\x05\0\x04\0\0\x002\0\0\x001\0\0\0\x1B\0\0\0P\0\x07\0\x03\0\0\x003\0\0\0&\0\0\0*\0\0\0.\0\0\x002\0\0\0\xFE\0\x02\x003\0\0\08\0\x01\x006\0\x05\0\x02\0\0\0B\0\0\0\0\0\0\0C\0\0\0\xF8\0\x02\x004\0\0\0=\0\x04\0\x06\0\0\08\0\0\x006\0\0\0=\0\x04\0\x03\0\0\0;\0\0\09\0\0\0=\0\x04\0\x03\0\0\0=\0\0\0<\0\0\0=\0\x04\0\x03\0\0\0?\0\0\0>\0\0\0P\0\x07\0\x07\0\0\x005\0\0\08\0\0\0;\0\0\0=\0\0\0?\0\0\0A\0\x05\0\x1E\0\0\0D\0\0\0\x08\0\0\0\x1F\0\0\0\xF9\0\x02\0E\0\0\0\xF8\0\x02\0E\0\0\09\0\x05\0\x03\0\0\0F\0\0\0\r\0\0\x005\0\0\09\0\x05\0\x03\0\0\0G\0\0\0\x1C\0\0\0F\0\0\0>\0\x03\0@\0\0\0G\0\0\0\xFD\0\x01\08\0\x01\0";
     /// WGSL of the capture_clamped shader.
     pub const CAPTURE_CLAMPED_WGSL: &str = r#"// Standard: renders casters into one tile of the shadow map; clamps depth by itself.
-// Positions are relative to the eye, in camera axes: x right, y up, looking along -z.
+// Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
 // Generated from light case `Standard`, 1d7390225899067c. Do not edit.
 
-/// What capturing needs of one facet, in camera axes: its matrix, row by row.
+/// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct StandardCapture {
     /// Clip x of the tile, to the right.
     row_x: vec4<f32>,
@@ -605,7 +605,7 @@ var<uniform> standard_capture: StandardCapture;
 struct StandardCasterVertex {
     /// Position in the object's own space.
     @location(0) position: vec3<f32>,
-    /// First of the instance's rows; they take the object's space to camera axes relative to the eye.
+    /// First of the instance's rows; they take the object's space to the capture's axes, relative to the eye.
     @location(1) eye_from_object_x: vec4<f32>,
     /// Second row.
     @location(2) eye_from_object_y: vec4<f32>,
@@ -613,9 +613,9 @@ struct StandardCasterVertex {
     @location(3) eye_from_object_z: vec4<f32>,
 }
 
-/// Moves a vertex from its object to the eye, into camera axes (x right, y up, looking along -z): no coordinate is
-/// large that the view shows small.
-fn standard_camera_position(vertex: StandardCasterVertex) -> vec4<f32> {
+/// Moves a vertex from its object to the eye, into the capture's axes: no coordinate is large that the view or the
+/// light shows small.
+fn standard_capture_position(vertex: StandardCasterVertex) -> vec4<f32> {
     let object = vec4<f32>(vertex.position, 1.0);
     return vec4<f32>(
         dot(vertex.eye_from_object_x, object),
@@ -625,7 +625,7 @@ fn standard_camera_position(vertex: StandardCasterVertex) -> vec4<f32> {
     );
 }
 
-/// Applies the facet's matrix, row by row, to a position in camera axes.
+/// Applies the facet's matrix, row by row, to a position in the capture's axes.
 fn standard_tile_position(position: vec4<f32>) -> vec4<f32> {
     return vec4<f32>(
         dot(standard_capture.row_x, position),
@@ -658,7 +658,7 @@ struct StandardClampedCaster {
 /// Places a caster's vertex in the tile, but keeps its depth for the fragment stage.
 @vertex
 fn standard_capture_clamped_vertex(vertex: StandardCasterVertex) -> StandardClampedCaster {
-    let tile = standard_tile_position(standard_camera_position(vertex));
+    let tile = standard_tile_position(standard_capture_position(vertex));
     return StandardClampedCaster(standard_hidden_depth(tile), tile.z, tile.w);
 }
 

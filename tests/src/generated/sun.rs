@@ -133,7 +133,7 @@ pub mod sun {
         assert!(::core::mem::offset_of!(SunShadow, depth_sign) == 272);
         assert!(::core::mem::offset_of!(SunShadow, facets) == 288);
     };
-    /// What capturing needs of one facet, in camera axes: its matrix, row by row.
+    /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
     #[derive(
         Clone,
         Copy,
@@ -598,12 +598,12 @@ pub mod sun {
     }
     /// WGSL of the capture shader.
     pub const CAPTURE_WGSL: &str = r#"// Sun: renders casters into one tile of the shadow map; needs unclipped depth.
-// Positions are relative to the eye, in camera axes: x right, y up, looking along -z.
+// Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
 // Generated from light case `Sun`, cd84aa73ab8e3fc2. Do not edit.
 
-/// What capturing needs of one facet, in camera axes: its matrix, row by row.
+/// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SunCapture {
     /// Clip x of the tile, to the right.
     row_x: vec4<f32>,
@@ -623,7 +623,7 @@ var<uniform> sun_capture: SunCapture;
 struct SunCasterVertex {
     /// Position in the object's own space.
     @location(0) position: vec3<f32>,
-    /// First of the instance's rows; they take the object's space to camera axes relative to the eye.
+    /// First of the instance's rows; they take the object's space to the capture's axes, relative to the eye.
     @location(1) eye_from_object_x: vec4<f32>,
     /// Second row.
     @location(2) eye_from_object_y: vec4<f32>,
@@ -631,9 +631,9 @@ struct SunCasterVertex {
     @location(3) eye_from_object_z: vec4<f32>,
 }
 
-/// Moves a vertex from its object to the eye, into camera axes (x right, y up, looking along -z): no coordinate is
-/// large that the view shows small.
-fn sun_camera_position(vertex: SunCasterVertex) -> vec4<f32> {
+/// Moves a vertex from its object to the eye, into the capture's axes: no coordinate is large that the view or the
+/// light shows small.
+fn sun_capture_position(vertex: SunCasterVertex) -> vec4<f32> {
     let object = vec4<f32>(vertex.position, 1.0);
     return vec4<f32>(
         dot(vertex.eye_from_object_x, object),
@@ -643,7 +643,7 @@ fn sun_camera_position(vertex: SunCasterVertex) -> vec4<f32> {
     );
 }
 
-/// Applies the facet's matrix, row by row, to a position in camera axes.
+/// Applies the facet's matrix, row by row, to a position in the capture's axes.
 fn sun_tile_position(position: vec4<f32>) -> vec4<f32> {
     return vec4<f32>(
         dot(sun_capture.row_x, position),
@@ -656,19 +656,19 @@ fn sun_tile_position(position: vec4<f32>) -> vec4<f32> {
 /// Places a caster's vertex in the tile.
 @vertex
 fn sun_capture_vertex(vertex: SunCasterVertex) -> @builtin(position) vec4<f32> {
-    return sun_tile_position(sun_camera_position(vertex));
+    return sun_tile_position(sun_capture_position(vertex));
 }
 "#;
     /// SPIR-V of the capture shader, little-endian words.
     pub const CAPTURE_SPIRV: &[u8] = b"\x03\x02#\x07\0\x03\x01\0\x1C\0\0\0H\0\0\0\0\0\0\0\x11\0\x02\0\x01\0\0\0\x0B\0\x06\0\x01\0\0\0GLSL.std.450\0\0\0\0\x0E\0\x03\0\0\0\0\0\x01\0\0\0\x0F\0\r\0\0\0\0\0B\0\0\0sun_capture_vertex\0\x006\0\0\09\0\0\0<\0\0\0>\0\0\0@\0\0\0H\0\x05\0\x05\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x05\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x05\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x05\0\0\0\x03\0\0\0#\0\0\x000\0\0\0H\0\x05\0\x07\0\0\0\0\0\0\0#\0\0\0\0\0\0\0H\0\x05\0\x07\0\0\0\x01\0\0\0#\0\0\0\x10\0\0\0H\0\x05\0\x07\0\0\0\x02\0\0\0#\0\0\0 \0\0\0H\0\x05\0\x07\0\0\0\x03\0\0\0#\0\0\x000\0\0\0G\0\x04\0\x08\0\0\0\"\0\0\0\0\0\0\0G\0\x04\0\x08\0\0\0!\0\0\0\0\0\0\0G\0\x03\0\t\0\0\0\x02\0\0\0H\0\x05\0\t\0\0\0\0\0\0\0#\0\0\0\0\0\0\0G\0\x04\x006\0\0\0\x1E\0\0\0\0\0\0\0G\0\x04\09\0\0\0\x1E\0\0\0\x01\0\0\0G\0\x04\0<\0\0\0\x1E\0\0\0\x02\0\0\0G\0\x04\0>\0\0\0\x1E\0\0\0\x03\0\0\0G\0\x04\0@\0\0\0\x0B\0\0\0\0\0\0\0\x13\0\x02\0\x02\0\0\0\x16\0\x03\0\x04\0\0\0 \0\0\0\x17\0\x04\0\x03\0\0\0\x04\0\0\0\x04\0\0\0\x1E\0\x06\0\x05\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x17\0\x04\0\x06\0\0\0\x04\0\0\0\x03\0\0\0\x1E\0\x06\0\x07\0\0\0\x06\0\0\0\x03\0\0\0\x03\0\0\0\x03\0\0\0\x1E\0\x03\0\t\0\0\0\x05\0\0\0 \0\x04\0\n\0\0\0\x02\0\0\0\t\0\0\0;\0\x04\0\n\0\0\0\x08\0\0\0\x02\0\0\0!\0\x04\0\x0E\0\0\0\x03\0\0\0\x07\0\0\0+\0\x04\0\x04\0\0\0\x0F\0\0\0\0\0\x80?!\0\x04\0\x1D\0\0\0\x03\0\0\0\x03\0\0\0 \0\x04\0\x1E\0\0\0\x02\0\0\0\x05\0\0\0\x15\0\x04\0 \0\0\0 \0\0\0\0\0\0\0+\0\x04\0 \0\0\0\x1F\0\0\0\0\0\0\0 \0\x04\0#\0\0\0\x02\0\0\0\x03\0\0\0+\0\x04\0 \0\0\0'\0\0\0\x01\0\0\0+\0\x04\0 \0\0\0+\0\0\0\x02\0\0\0+\0\x04\0 \0\0\0/\0\0\0\x03\0\0\0 \0\x04\x007\0\0\0\x01\0\0\0\x06\0\0\0;\0\x04\x007\0\0\x006\0\0\0\x01\0\0\0 \0\x04\0:\0\0\0\x01\0\0\0\x03\0\0\0;\0\x04\0:\0\0\09\0\0\0\x01\0\0\0;\0\x04\0:\0\0\0<\0\0\0\x01\0\0\0;\0\x04\0:\0\0\0>\0\0\0\x01\0\0\0 \0\x04\0A\0\0\0\x03\0\0\0\x03\0\0\0;\0\x04\0A\0\0\0@\0\0\0\x03\0\0\0!\0\x03\0C\0\0\0\x02\0\0\x006\0\x05\0\x03\0\0\0\r\0\0\0\0\0\0\0\x0E\0\0\x007\0\x03\0\x07\0\0\0\x0C\0\0\0\xF8\0\x02\0\x0B\0\0\0\xF9\0\x02\0\x10\0\0\0\xF8\0\x02\0\x10\0\0\0Q\0\x05\0\x06\0\0\0\x11\0\0\0\x0C\0\0\0\0\0\0\0P\0\x05\0\x03\0\0\0\x12\0\0\0\x11\0\0\0\x0F\0\0\0Q\0\x05\0\x03\0\0\0\x13\0\0\0\x0C\0\0\0\x01\0\0\0\x94\0\x05\0\x04\0\0\0\x14\0\0\0\x13\0\0\0\x12\0\0\0Q\0\x05\0\x03\0\0\0\x15\0\0\0\x0C\0\0\0\x02\0\0\0\x94\0\x05\0\x04\0\0\0\x16\0\0\0\x15\0\0\0\x12\0\0\0Q\0\x05\0\x03\0\0\0\x17\0\0\0\x0C\0\0\0\x03\0\0\0\x94\0\x05\0\x04\0\0\0\x18\0\0\0\x17\0\0\0\x12\0\0\0P\0\x07\0\x03\0\0\0\x19\0\0\0\x14\0\0\0\x16\0\0\0\x18\0\0\0\x0F\0\0\0\xFE\0\x02\0\x19\0\0\08\0\x01\x006\0\x05\0\x03\0\0\0\x1C\0\0\0\0\0\0\0\x1D\0\0\x007\0\x03\0\x03\0\0\0\x1B\0\0\0\xF8\0\x02\0\x1A\0\0\0A\0\x05\0\x1E\0\0\0!\0\0\0\x08\0\0\0\x1F\0\0\0\xF9\0\x02\0\"\0\0\0\xF8\0\x02\0\"\0\0\0A\0\x05\0#\0\0\0$\0\0\0!\0\0\0\x1F\0\0\0=\0\x04\0\x03\0\0\0%\0\0\0$\0\0\0\x94\0\x05\0\x04\0\0\0&\0\0\0%\0\0\0\x1B\0\0\0A\0\x05\0#\0\0\0(\0\0\0!\0\0\0'\0\0\0=\0\x04\0\x03\0\0\0)\0\0\0(\0\0\0\x94\0\x05\0\x04\0\0\0*\0\0\0)\0\0\0\x1B\0\0\0A\0\x05\0#\0\0\0,\0\0\0!\0\0\0+\0\0\0=\0\x04\0\x03\0\0\0-\0\0\0,\0\0\0\x94\0\x05\0\x04\0\0\0.\0\0\0-\0\0\0\x1B\0\0\0A\0\x05\0#\0\0\x000\0\0\0!\0\0\0/\0\0\0=\0\x04\0\x03\0\0\x001\0\0\x000\0\0\0\x94\0\x05\0\x04\0\0\x002\0\0\x001\0\0\0\x1B\0\0\0P\0\x07\0\x03\0\0\x003\0\0\0&\0\0\0*\0\0\0.\0\0\x002\0\0\0\xFE\0\x02\x003\0\0\08\0\x01\x006\0\x05\0\x02\0\0\0B\0\0\0\0\0\0\0C\0\0\0\xF8\0\x02\x004\0\0\0=\0\x04\0\x06\0\0\08\0\0\x006\0\0\0=\0\x04\0\x03\0\0\0;\0\0\09\0\0\0=\0\x04\0\x03\0\0\0=\0\0\0<\0\0\0=\0\x04\0\x03\0\0\0?\0\0\0>\0\0\0P\0\x07\0\x07\0\0\x005\0\0\08\0\0\0;\0\0\0=\0\0\0?\0\0\0A\0\x05\0\x1E\0\0\0D\0\0\0\x08\0\0\0\x1F\0\0\0\xF9\0\x02\0E\0\0\0\xF8\0\x02\0E\0\0\09\0\x05\0\x03\0\0\0F\0\0\0\r\0\0\x005\0\0\09\0\x05\0\x03\0\0\0G\0\0\0\x1C\0\0\0F\0\0\0>\0\x03\0@\0\0\0G\0\0\0\xFD\0\x01\08\0\x01\0";
     /// WGSL of the capture_clamped shader.
     pub const CAPTURE_CLAMPED_WGSL: &str = r#"// Sun: renders casters into one tile of the shadow map; clamps depth by itself.
-// Positions are relative to the eye, in camera axes: x right, y up, looking along -z.
+// Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
 // Generated from light case `Sun`, cd84aa73ab8e3fc2. Do not edit.
 
-/// What capturing needs of one facet, in camera axes: its matrix, row by row.
+/// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SunCapture {
     /// Clip x of the tile, to the right.
     row_x: vec4<f32>,
@@ -688,7 +688,7 @@ var<uniform> sun_capture: SunCapture;
 struct SunCasterVertex {
     /// Position in the object's own space.
     @location(0) position: vec3<f32>,
-    /// First of the instance's rows; they take the object's space to camera axes relative to the eye.
+    /// First of the instance's rows; they take the object's space to the capture's axes, relative to the eye.
     @location(1) eye_from_object_x: vec4<f32>,
     /// Second row.
     @location(2) eye_from_object_y: vec4<f32>,
@@ -696,9 +696,9 @@ struct SunCasterVertex {
     @location(3) eye_from_object_z: vec4<f32>,
 }
 
-/// Moves a vertex from its object to the eye, into camera axes (x right, y up, looking along -z): no coordinate is
-/// large that the view shows small.
-fn sun_camera_position(vertex: SunCasterVertex) -> vec4<f32> {
+/// Moves a vertex from its object to the eye, into the capture's axes: no coordinate is large that the view or the
+/// light shows small.
+fn sun_capture_position(vertex: SunCasterVertex) -> vec4<f32> {
     let object = vec4<f32>(vertex.position, 1.0);
     return vec4<f32>(
         dot(vertex.eye_from_object_x, object),
@@ -708,7 +708,7 @@ fn sun_camera_position(vertex: SunCasterVertex) -> vec4<f32> {
     );
 }
 
-/// Applies the facet's matrix, row by row, to a position in camera axes.
+/// Applies the facet's matrix, row by row, to a position in the capture's axes.
 fn sun_tile_position(position: vec4<f32>) -> vec4<f32> {
     return vec4<f32>(
         dot(sun_capture.row_x, position),
@@ -741,7 +741,7 @@ struct SunClampedCaster {
 /// Places a caster's vertex in the tile, but keeps its depth for the fragment stage.
 @vertex
 fn sun_capture_clamped_vertex(vertex: SunCasterVertex) -> SunClampedCaster {
-    let tile = sun_tile_position(sun_camera_position(vertex));
+    let tile = sun_tile_position(sun_capture_position(vertex));
     return SunClampedCaster(sun_hidden_depth(tile), tile.z, tile.w);
 }
 

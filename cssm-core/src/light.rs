@@ -58,6 +58,8 @@ pub enum LightPosition {
 
 /// Margin around the light ray, in sides of the image, with which it is taken in.
 const BORDER_MARGIN: f64 = 0.05;
+/// Distance from the image, in its sides, within which the light ray counts as near.
+const NEAR_SIZES: f64 = 2.0;
 /// Largest area of the image rectangle with the ray taken in, in areas of the image.
 const BORDER_AREA: f64 = 1.5;
 
@@ -65,16 +67,26 @@ impl LightPosition {
     /// The position of a light, given as the direction towards it in camera axes.
     pub fn of(view: &View, toward_camera: DVec3) -> Self {
         let (low, high) = (DVec2::new(view.left, view.bottom), DVec2::new(view.right, view.top));
-        let ray = DVec2::new(toward_camera.x, toward_camera.y) / -toward_camera.z;
-        if !ray.is_finite() {
-            return Self::General;
-        }
+        let Some(ray) = Self::ray(toward_camera) else { return Self::General };
         if ray.cmpgt(low).all() && ray.cmplt(high).all() {
             return Self::Dueling;
         }
         let size = high - low;
         let enlarged = high.max(ray + size * BORDER_MARGIN) - low.min(ray - size * BORDER_MARGIN);
         if enlarged.x * enlarged.y <= BORDER_AREA * size.x * size.y { Self::Border } else { Self::General }
+    }
+
+    /// Tangents of the light ray through the eye; `None` for light parallel to the image.
+    pub fn ray(toward_camera: DVec3) -> Option<DVec2> {
+        let ray = DVec2::new(toward_camera.x, toward_camera.y) / -toward_camera.z;
+        ray.is_finite().then_some(ray)
+    }
+
+    /// Whether the light ray runs so near the view that receivers may lie far along their own rays.
+    pub(crate) fn is_near(view: &View, ray: DVec2) -> bool {
+        let (low, high) = (DVec2::new(view.left, view.bottom), DVec2::new(view.right, view.top));
+        let reach = (high - low) * NEAR_SIZES;
+        ray.cmpgt(low - reach).all() && ray.cmplt(high + reach).all()
     }
 
     /// Name for reports.

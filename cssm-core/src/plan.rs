@@ -220,10 +220,9 @@ pub(crate) fn plan_preferring(
 
     // Store depth and shear positions the way that rounds least.
     let position = LightPosition::of(view, toward);
-    let shear = match position {
-        LightPosition::General => DVec2::ZERO,
-        _ if !spec.follows_camera => DVec2::ZERO,
-        _ => DVec2::new(toward.x, toward.y) / -toward.z,
+    let shear = match LightPosition::ray(toward) {
+        Some(ray) if spec.follows_camera && LightPosition::is_near(view, ray) => ray,
+        _ => DVec2::ZERO,
     };
     let ahead = toward.z < 0.0;
     let depth_order = if ahead && spec.follows_camera { DepthOrder::Reversed } else { DepthOrder::Standard };

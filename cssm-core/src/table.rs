@@ -9,7 +9,9 @@ mod describe;
 mod write;
 
 pub use constant::{Constant, ConstantKind, ConstantValue};
-pub use write::{write_capture_record, write_caster_mask_record, write_mask_record, write_shadow_record};
+pub use write::{
+    shear_parts, write_capture_record, write_caster_mask_record, write_mask_record, write_shadow_record,
+};
 
 use std::borrow::Cow;
 
@@ -164,7 +166,7 @@ pub enum Meaning {
     ReceiverPlaneDepth,
     /// Unit vector towards the light, in the case's axes.
     TowardLight,
-    /// What x and y gain per z by the shear along the light: leading parts (xy), then the rest (zw).
+    /// What x and y gain per z by the shear along the light: leading parts of twelve bits (xy), then the rest (zw).
     Shear,
     /// 1 where stored depth grows away from the light, -1 where it falls.
     DepthSign,
@@ -208,7 +210,7 @@ impl Meaning {
             Self::ReceiverPlaneDepth => "Depth by which an exact receiver plane is lowered.",
             Self::TowardLight => "Unit vector towards the light, in the case's axes.",
             Self::Shear => {
-                "What x and y gain per z by the shear along the light: leading parts, then the rest."
+                "What x and y gain per z by the shear along the light: twelve leading bits, then the rest."
             }
             Self::DepthSign => "1 where stored depth grows away from the light, -1 where it falls.",
             Self::Clips => "Half-spaces that casters are cut with.",

@@ -10,6 +10,7 @@ use cssm_core::facet::FacetRows;
 use cssm_core::footprint::quantile;
 use cssm_core::glam::{DMat3, DVec2, DVec3, DVec4, Vec3, Vec4};
 use cssm_core::homography::{Gradients, singular_values};
+use cssm_core::table::shear_parts;
 use cssm_core::{LightCase, SceneBounds, ShadowPlan, View, plan};
 use support::{Random, cases, extreme_lights, extreme_views, level_view, sun, toward};
 
@@ -41,15 +42,18 @@ impl Rounded {
         DVec4::new(camera.x, camera.y, along, row.w).as_vec4()
     }
 
+    /// Step by step as the shader moves positions along the light, without a fused multiplication.
     fn position(&self, point_camera: DVec3) -> Vec3 {
         let point = point_camera.as_vec3();
-        let high = self.shear.as_vec2();
-        let low = (self.shear - high.as_dvec2()).as_vec2();
-        Vec3::new(
-            high.x.mul_add(point.z, point.x) + low.x * point.z,
-            high.y.mul_add(point.z, point.y) + low.y * point.z,
-            point.z,
-        )
+        let (leading, rest) = shear_parts(self.shear);
+        let (leading, rest) = (leading.as_vec2(), rest.as_vec2());
+        let bits = point.z.to_bits();
+        let upper = f32::from_bits(bits & 0xffff_f000);
+        let lower = (bits & 0xfff) as f32;
+        let step = f32::from_bits(bits & 0xff80_0000) * f32::EPSILON;
+        let moved = point.truncate() + leading * upper;
+        let moved = moved + (leading * step) * lower;
+        (moved + rest * point.z).extend(point.z)
     }
 
     /// Clip coordinates as a shader computes them.

@@ -3,5 +3,5 @@
 
 /// The normal as facet rows take it.
 fn facet_normal(normal: vec3<f32>) -> vec3<f32> {
-    return vec3<f32>(normal.xy, normal.z - dot(shadow.shear.xy, normal.xy));
+    return vec3<f32>(normal.xy, normal.z - dot(shadow.shear.xy + shadow.shear.zw, normal.xy));
 }

@@ -38,8 +38,7 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
             }
             Meaning::TowardLight => put_row(&mut bytes, offset, turned.direction(plan.light)),
             Meaning::Shear => {
-                let leading = plan.shear.as_vec2().as_dvec2();
-                let rest = plan.shear - leading;
+                let (leading, rest) = shear_parts(plan.shear);
                 put_row(&mut bytes, offset, DVec4::new(leading.x, leading.y, rest.x, rest.y));
             }
             Meaning::DepthSign => put(&mut bytes, offset, sign as f32),
@@ -137,6 +136,15 @@ impl Turn {
     fn direction(&self, direction: DVec4) -> DVec4 {
         (self.points * direction.truncate()).extend(direction.w)
     }
+}
+
+/// A shear in leading parts of twelve bits, whose products with twelve bits of a coordinate are exact in f32, and the
+/// rest.
+pub fn shear_parts(shear: DVec2) -> (DVec2, DVec2) {
+    const LEADING_BITS: u32 = 0xffff_f000;
+    let leading = |value: f64| f64::from(f32::from_bits((value as f32).to_bits() & LEADING_BITS));
+    let leading = DVec2::new(leading(shear.x), leading(shear.y));
+    (leading, shear - leading)
 }
 
 /// Fields of one facet; `sign` turns the depth row so that it grows away from the light.

@@ -6,8 +6,9 @@
 
 use glam::{DVec3, DVec4};
 
-/// Signed area, relative to the largest, below which a face holds no rays.
-const AREA_TOLERANCE: f64 = 1e-9;
+/// Signed area, relative to the largest, below which a face is too thin for f32: its rays go to its neighbours, whose
+/// gutters hold them.
+const AREA_TOLERANCE: f64 = 1e-4;
 
 /// A side face that rays enter first.
 #[derive(Debug, Clone, Copy)]

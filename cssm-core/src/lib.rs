@@ -51,6 +51,7 @@ pub mod twin;
 pub mod view;
 
 pub use case::LightCase;
+pub use choose::Chooser;
 pub use glam;
 pub use light::Light;
 pub use plan::{BoundingBox, PlanError, SceneBounds, ShadowPlan, plan};

@@ -24,8 +24,8 @@
 pub use bytemuck;
 pub use cssm_core as core;
 pub use cssm_core::{
-    BoundingBox, Light, LightCase, PlanError, SceneBounds, ShadowPlan, View, case, facet, light, plan, table,
-    view,
+    BoundingBox, Chooser, Light, LightCase, PlanError, SceneBounds, ShadowPlan, View, case, facet, light,
+    plan, table, view,
 };
 
 #[cfg(feature = "build")]

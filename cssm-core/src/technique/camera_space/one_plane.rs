@@ -51,7 +51,7 @@ pub(super) fn column(situation: &Situation<'_>) -> Column {
     let view = situation.view;
 
     // Roll the camera so that the light has no component across and none downwards.
-    let length = light.x.hypot(light.y);
+    let length = libm::hypot(light.x, light.y);
     let (cosine, sine) = if length > 0.0 { (light.y / length, light.x / length) } else { (1.0, 0.0) };
     let across = DVec4::new(cosine, -sine, 0.0, 0.0);
     let up = DVec4::new(sine, cosine, 0.0, 0.0);

@@ -174,6 +174,5 @@ pub(crate) fn made_for(
     if (spec.configuration(configuration).serves)(position) {
         return Vec::new();
     }
-    let serving = spec.configurations.iter().filter(|other| (other.serves)(position));
-    serving.map(|other| other.choice.name).collect()
+    spec.made_for(position).collect()
 }

@@ -57,7 +57,7 @@ pub enum LightPosition {
 }
 
 /// Margin around the light ray, in sides of the image, with which it is taken in.
-const BORDER_MARGIN: f64 = 0.05;
+pub(crate) const BORDER_MARGIN: f64 = 0.05;
 /// Distance from the image, in its sides, within which the light ray counts as near.
 const NEAR_SIZES: f64 = 2.0;
 /// Largest area of the image rectangle with the ray taken in, in areas of the image.
@@ -72,8 +72,14 @@ impl LightPosition {
             return Self::Dueling;
         }
         let size = high - low;
-        let enlarged = high.max(ray + size * BORDER_MARGIN) - low.min(ray - size * BORDER_MARGIN);
+        let (low, high) = Self::take_in(low, high, ray, size * BORDER_MARGIN);
+        let enlarged = high - low;
         if enlarged.x * enlarged.y <= BORDER_AREA * size.x * size.y { Self::Border } else { Self::General }
+    }
+
+    /// A rectangle of tangents, enlarged until it holds the light ray with a margin around it.
+    pub(crate) fn take_in(low: DVec2, high: DVec2, ray: DVec2, margin: DVec2) -> (DVec2, DVec2) {
+        (low.min(ray - margin), high.max(ray + margin))
     }
 
     /// Tangents of the light ray through the eye; `None` for light parallel to the image.

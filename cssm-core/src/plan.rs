@@ -14,6 +14,7 @@ use crate::choose::{ConfigurationChoice, Kept, Prediction, choose, made_for};
 use crate::facet::{Facet, Selection};
 use crate::light::{Light, LightPosition};
 use crate::receivers::Polytope;
+use crate::schema::Word;
 use crate::technique::{Draft, Situation};
 use crate::view::View;
 
@@ -212,8 +213,13 @@ pub(crate) fn plan_preferring(
 
     // Draft every declared configuration, fit the drafts and take the best.
     let spec = case.technique_spec();
-    let drafts = drafts(&situation)?;
-    let mut fitted = fit_all(&drafts, &situation)?;
+    let samples = window::samples(&situation);
+    let draft = |word: &Word| (spec.configuration(word.name).draft)(&situation, word);
+    let drafts: Vec<Draft> = any(case.configurations.iter().map(draft))?.into_iter().flatten().collect();
+    let mut fitted = any(drafts.iter().map(|draft| fitted::fit(draft, &situation, &samples)))?;
+    if fitted.is_empty() {
+        return Err(PlanError::Degenerate { facet: 0, why: "the case declares no configuration" });
+    }
     let predictions: Vec<Prediction> = fitted.iter().map(Fitted::prediction).collect();
     let (best, reason) = choose(&predictions, kept);
     let Fitted { draft, windows, tiles, .. } = fitted.swap_remove(best);
@@ -229,14 +235,16 @@ pub(crate) fn plan_preferring(
 
     // Finish each facet and turn everything to world axes.
     let rules = finish::DepthRules { order: depth_order, shear };
+    let shape = case.shape();
     let camera_from_world = view.camera_from_world;
     let row_to_world = |row: DVec4| (camera_from_world.transpose() * row.truncate()).extend(row.w);
     let mut facets = Vec::with_capacity(windows.len());
     for (window, tile) in windows.iter().zip(tiles) {
-        let facet = finish::finish(window, tile, rules, &situation)?;
+        let index = window.draft.sector * shape.bands + window.draft.band;
+        let facet = finish::finish(window, tile, index, rules, &situation)?;
         facets.push(facet.turned(&row_to_world));
     }
-    let mut selection = draft.selection.clone().padded(&case.shape());
+    let mut selection = draft.selection.clone().padded(&shape);
     for row in selection.borders.iter_mut().chain(&mut selection.distances) {
         *row = row_to_world(*row);
     }
@@ -262,36 +270,18 @@ pub(crate) fn plan_preferring(
     })
 }
 
-/// The drafts of every declared configuration that has one; an error only where none has.
-fn drafts(situation: &Situation<'_>) -> Result<Vec<Draft>, PlanError> {
-    let spec = situation.case.technique_spec();
-    let mut drafts = Vec::new();
-    let mut first_error = None;
-    for word in &situation.case.configurations {
-        match (spec.configuration(word.name).draft)(situation, word) {
-            Ok(forms) => drafts.extend(forms),
+/// What succeeded; the first error only where nothing did.
+fn any<T>(results: impl Iterator<Item = Result<T, PlanError>>) -> Result<Vec<T>, PlanError> {
+    let (mut found, mut first_error) = (Vec::new(), None);
+    for result in results {
+        match result {
+            Ok(one) => found.push(one),
             Err(error) => first_error = first_error.or(Some(error)),
         }
     }
     match first_error {
-        Some(error) if drafts.is_empty() => Err(error),
-        _ => Ok(drafts),
-    }
-}
-
-/// The drafts that fit the map, fitted; an error only where none does.
-fn fit_all<'a>(drafts: &'a [Draft], situation: &Situation<'_>) -> Result<Vec<Fitted<'a>>, PlanError> {
-    let mut all = Vec::with_capacity(drafts.len());
-    let mut first_error = None;
-    for draft in drafts {
-        match fitted::fit(draft, situation) {
-            Ok(fitted) => all.push(fitted),
-            Err(error) => first_error = first_error.or(Some(error)),
-        }
-    }
-    match first_error {
-        Some(error) if all.is_empty() => Err(error),
-        _ => Ok(all),
+        Some(error) if found.is_empty() => Err(error),
+        _ => Ok(found),
     }
 }
 

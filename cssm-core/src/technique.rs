@@ -97,6 +97,12 @@ pub fn spec(name: &str) -> &'static TechniqueSpec {
 }
 
 impl TechniqueSpec {
+    /// Names of the configurations that are made for a position of the light.
+    pub fn made_for(&self, position: LightPosition) -> impl Iterator<Item = &'static str> {
+        let serving = self.configurations.iter().filter(move |known| (known.serves)(position));
+        serving.map(|known| known.choice.name)
+    }
+
     /// The entry of a configuration; an unknown name falls to the first entry.
     pub fn configuration(&self, name: &str) -> &'static ConfigurationSpec {
         self.configurations.iter().find(|spec| spec.choice.name == name).unwrap_or(&self.configurations[0])

@@ -7,7 +7,7 @@ use cssm_core::choose::{ChoiceReason, Chooser};
 use cssm_core::footprint::score_volume;
 use cssm_core::light::LightPosition;
 use cssm_core::schema::{Value, Word};
-use cssm_core::{LightCase, SceneBounds, ShadowPlan, View, plan};
+use cssm_core::{LightCase, PlanError, SceneBounds, ShadowPlan, View, plan};
 use support::{level_view, sun, toward};
 
 fn case(name: &str, configurations: &[&'static str]) -> LightCase {
@@ -49,12 +49,15 @@ fn what_is_predicted_is_what_is_measured() {
     }
 }
 
+/// Configuration of a plan, and whether it has several facets.
+fn form(case: &LightCase, view: &View, elevation: f64, azimuth: f64) -> (&'static str, bool) {
+    let plan = planned(case, view, elevation, azimuth);
+    (plan.configuration, plan.facets.len() > 1)
+}
+
 /// The elevation between two at which the plan takes another configuration or form, from both sides.
 fn switch_between(case: &LightCase, view: &View, azimuth: f64, low: f64, high: f64) -> (f64, f64) {
-    let form = |elevation: f64| {
-        let plan = planned(case, view, elevation, azimuth);
-        (plan.configuration, plan.facets.len() > 1)
-    };
+    let form = |elevation: f64| form(case, view, elevation, azimuth);
     let (mut low, mut high) = (low, high);
     let before = form(low);
     assert_ne!(before, form(high));
@@ -72,10 +75,7 @@ fn both_sides_of_every_switch_are_equally_good() {
     for names in [&["four_plane", "one_plane"][..], &["four_plane"]] {
         let case = case("Path", names);
         for azimuth in [180.0, 0.0, 130.0, 90.0] {
-            let form = |elevation: f64| {
-                let plan = planned(&case, &view, elevation, azimuth);
-                (plan.configuration, plan.facets.len() > 1)
-            };
+            let form = |elevation: f64| form(&case, &view, elevation, azimuth);
             let path: Vec<f64> = (0..170).map(|step| 4.0 + 0.5 * f64::from(step)).collect();
             for pair in path.windows(2).filter(|pair| form(pair[0]) != form(pair[1])) {
                 let (low, high) = switch_between(&case, &view, azimuth, pair[0], pair[1]);
@@ -169,4 +169,13 @@ fn pushing_straight_ahead_is_worse_than_along_the_light() {
     // On the axis both are the same.
     let on_axis = |case: &LightCase| p95(&planned(case, &view, 0.0, 180.0), &view);
     assert!((on_axis(&along) / on_axis(&straight) - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn a_case_without_configurations_is_refused() {
+    let mut none = case("None", &["face_columns"]);
+    none.configurations.clear();
+    let view = level_view(0.2, 1000.0);
+    let refused = plan(&none, &view, &sun(toward(45.0, 90.0)), &SceneBounds::default());
+    assert!(matches!(refused, Err(PlanError::Degenerate { .. })), "{refused:?}");
 }

@@ -4,8 +4,7 @@ mod cell;
 
 use std::path::{Path, PathBuf};
 
-use cssm_core::glam::DVec3;
-use cssm_core::{Light, LightCase, View};
+use cssm_core::LightCase;
 use indicatif::ProgressBar;
 use shaders_gen::shipped;
 
@@ -19,9 +18,6 @@ use crate::report::{Report, create_folder, write_json};
 use crate::scene::{BUILT_IN, Scene};
 use crate::stage::{Stage, StageOptions};
 use crate::truth::Tracer;
-
-const FOV_Y_DEGREES: f64 = 60.0;
-const NEAR_METRES: f64 = 0.2;
 
 /// Shows every case on every scene in one picture: view, map, errors and figures.
 #[derive(Debug, clap::Args)]
@@ -134,16 +130,7 @@ fn show_scene(
 ) -> Result<Vec<Shown>, LabError> {
     let tracer = Tracer::new(scene);
     let spot = scene.views.get(arguments.view).or(scene.views.last()).ok_or(LabError::NoView)?;
-    let view = View::perspective(
-        spot.eye_world,
-        spot.target_world,
-        DVec3::Y,
-        FOV_Y_DEGREES.to_radians(),
-        NEAR_METRES,
-        f64::INFINITY,
-        arguments.size,
-    )?;
-    let light = Light::directional_travelling(spot.light_travels)?;
+    let (view, light) = spot.pictured(arguments.size)?;
     let options = StageOptions { supersample: true, progress: Progress::Hidden };
     let stage = Stage::new(gpu, scene, &tracer, view, light, options)?;
 

@@ -4,8 +4,7 @@ mod table;
 
 use std::path::{Path, PathBuf};
 
-use cssm_core::glam::DVec3;
-use cssm_core::{Light, LightCase, View};
+use cssm_core::LightCase;
 use serde::Serialize;
 use shaders_gen::shipped;
 
@@ -25,9 +24,6 @@ use crate::truth::Tracer;
 /// The declarations that ship, and the names under which the demo shows them.
 const CASES: [(&str, &str, &str); 2] =
     [("sun.cssm", "Sun", shipped::SUN), ("pssm4_log.cssm", "Pssm4Log", shipped::PSSM4_LOG)];
-
-const FOV_Y_DEGREES: f64 = 60.0;
-const NEAR_METRES: f64 = 0.2;
 
 /// Shows the technique against the customary one: pictures, errors, times.
 #[derive(Debug, clap::Args)]
@@ -88,16 +84,7 @@ fn show_scene(
     let tracer = Tracer::new(scene);
     spinner.finish_and_clear();
     let spot = scene.views.first().ok_or(LabError::NoView)?;
-    let view = View::perspective(
-        spot.eye_world,
-        spot.target_world,
-        DVec3::Y,
-        FOV_Y_DEGREES.to_radians(),
-        NEAR_METRES,
-        f64::INFINITY,
-        arguments.size,
-    )?;
-    let light = Light::directional_travelling(spot.light_travels)?;
+    let (view, light) = spot.pictured(arguments.size)?;
     let options = StageOptions { supersample: true, progress };
     let stage = Stage::new(gpu, scene, &tracer, view, light, options)?;
 

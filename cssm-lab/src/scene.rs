@@ -22,8 +22,10 @@ pub use mask::AlphaMask;
 
 use std::path::Path;
 
-use cssm_core::BoundingBox;
 use cssm_core::glam::{DAffine3, DVec3};
+use cssm_core::{BoundingBox, Light, View};
+
+use crate::error::LabError;
 
 /// A scene.
 #[derive(Debug, Clone)]
@@ -72,6 +74,23 @@ pub struct Viewpoint {
     /// Direction in which the light travels.
     pub light_travels: DVec3,
 }
+
+impl Viewpoint {
+    /// What is seen from here to infinity with the customary camera of the lab's pictures, and the light.
+    ///
+    /// # Errors
+    /// When the eye, the target or the light make no sense.
+    pub fn pictured(&self, size_pixels: (u32, u32)) -> Result<(View, Light), LabError> {
+        let fov_y_radians = FOV_Y_DEGREES.to_radians();
+        let (eye, target, far) = (self.eye_world, self.target_world, f64::INFINITY);
+        let view = View::perspective(eye, target, DVec3::Y, fov_y_radians, NEAR_METRES, far, size_pixels)?;
+        Ok((view, Light::directional_travelling(self.light_travels)?))
+    }
+}
+
+/// Camera of the lab's pictures.
+const FOV_Y_DEGREES: f64 = 60.0;
+const NEAR_METRES: f64 = 0.2;
 
 /// Names of the scenes that are built in.
 pub const BUILT_IN: [&str; 4] = ["palm", "city", "pavilion", "forest"];

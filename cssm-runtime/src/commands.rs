@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use cssm_core::facet::{Facet, Tile};
+use cssm_core::glam::{DMat3, DVec3};
 use cssm_core::{BoundingBox, ShadowPlan};
 
 use crate::cull::{InstanceRows, box_from_eye, capture_from_object, eye_from_object};
@@ -115,10 +116,13 @@ impl FrameCommands {
         facts: impl Fn(MeshHandle) -> Option<MeshFacts>,
     ) -> Result<(Self, FrameStatistics), ServiceError> {
         // Bring every caster to the eye, then put equal pipelines and meshes side by side.
+        let capture_from_world = plan.capture_from_world();
         let mut casters = instances
             .iter()
             .enumerate()
-            .map(|(number, instance)| Caster::new(number, instance, plan, &facts))
+            .map(|(number, instance)| {
+                Caster::new(number, instance, plan.eye_world, &capture_from_world, &facts)
+            })
             .collect::<Result<Vec<_>, _>>()?;
         casters.sort_by_key(|caster| (caster.facts.pipeline, caster.mesh));
 
@@ -192,12 +196,13 @@ impl Caster {
     fn new(
         number: usize,
         instance: &CasterInstance,
-        plan: &ShadowPlan,
+        eye_world: DVec3,
+        capture_from_world: &DMat3,
         facts: impl Fn(MeshHandle) -> Option<MeshFacts>,
     ) -> Result<Self, ServiceError> {
         let facts = facts(instance.mesh).ok_or(ServiceError::UnknownMesh { instance: number })?;
-        let transform = eye_from_object(&instance.world_from_object, plan.eye_world);
-        let turned = capture_from_object(&transform, &plan.capture_from_world());
+        let transform = eye_from_object(&instance.world_from_object, eye_world);
+        let turned = capture_from_object(&transform, capture_from_world);
         let rows = InstanceRows::rounded(&turned).ok_or(ServiceError::Transform { instance: number })?;
         let box_from_eye = box_from_eye(&transform, &facts.bounds_object);
         if !(box_from_eye.min.is_finite() && box_from_eye.max.is_finite()) {

@@ -66,14 +66,8 @@ fn choosing(case: &LightCase, out: &mut Out) {
         out.line("  each plan takes the one with the smallest predicted p95 footprint; a chooser dwells where two agree");
     }
     for position in [LightPosition::General, LightPosition::Border, LightPosition::Dueling] {
-        let serving = |declared: bool| -> Vec<&str> {
-            let serving = spec.configurations.iter().filter(|known| (known.serves)(position));
-            let names = serving.map(|known| known.choice.name);
-            names
-                .filter(|name| case.configurations.iter().any(|word| word.name == *name) == declared)
-                .collect()
-        };
-        let (declared, others) = (serving(true), serving(false));
+        let is_declared = |name: &&str| case.configurations.iter().any(|word| word.name == *name);
+        let (declared, others): (Vec<_>, Vec<_>) = spec.made_for(position).partition(is_declared);
         let name = position.name();
         out.line(match (declared.is_empty(), others.is_empty()) {
             (false, _) => format!("  light {name}: {}", declared.join(", ")),

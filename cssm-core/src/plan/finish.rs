@@ -35,15 +35,15 @@ pub(super) struct DepthRules {
     pub(super) shear: DVec2,
 }
 
-/// Finishes a facet, in camera space.
+/// Finishes the facet of an index, in camera space.
 pub(super) fn finish(
     window: &Window<'_>,
     tile: Tile,
+    index: u32,
     rules: DepthRules,
     situation: &Situation<'_>,
 ) -> Result<Facet, PlanError> {
     // Keep gutters free.
-    let index = window.draft.sector * situation.case.shape().bands + window.draft.band;
     let inset = region::inset(&window.rows, &window.draft.region, &tile);
     let (mut rows, clip) = inset.ok_or_else(|| map_area(situation.case).too_small(1))?;
 

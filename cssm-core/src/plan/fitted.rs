@@ -1,5 +1,7 @@
 //! A draft fitted to the map: windows, tiles, predicted quality.
 
+use glam::DVec3;
+
 use super::PlanError;
 use super::window::{self, Window};
 use crate::case::LightCase;
@@ -29,8 +31,12 @@ impl Fitted<'_> {
 }
 
 /// Fits the windows of a draft and shares the map among them.
-pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>) -> Result<Fitted<'a>, PlanError> {
-    let (windows, outside) = window::fit(draft, situation);
+pub(super) fn fit<'a>(
+    draft: &'a Draft,
+    situation: &Situation<'_>,
+    samples: &[DVec3],
+) -> Result<Fitted<'a>, PlanError> {
+    let (windows, outside) = window::fit(draft, situation, samples);
     let area = map_area(situation.case);
 
     // One demand for each tile: a facet's own, or a square's.

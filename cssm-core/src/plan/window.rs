@@ -44,17 +44,26 @@ impl Window<'_> {
     }
 }
 
+/// Visible points of a situation, camera space, by which every draft is judged.
+pub(super) fn samples(situation: &Situation<'_>) -> Vec<DVec3> {
+    samples::receivers(situation.view, &situation.receivers, SAMPLES)
+}
+
 /// Fits the window of every facet that has receivers; also says how many samples of the view have no facet.
-pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>) -> (Vec<Window<'a>>, usize) {
+pub(super) fn fit<'a>(
+    draft: &'a Draft,
+    situation: &Situation<'_>,
+    samples: &[DVec3],
+) -> (Vec<Window<'a>>, usize) {
     // Walk each sample to its facet.
     let bands = draft.selection.bands;
     let index = |facet: &FacetDraft| (facet.sector * bands + facet.band) as usize;
     let count = draft.facets.iter().map(|facet| index(facet) + 1).max().unwrap_or(0);
     let mut by_facet = vec![Vec::new(); count];
     let mut outside = 0;
-    for point in samples::receivers(situation.view, &situation.receivers, SAMPLES) {
+    for point in samples {
         match by_facet.get_mut(draft.selection.facet(point.extend(1.0)) as usize) {
-            Some(list) => list.push(point),
+            Some(list) => list.push(*point),
             None => outside += 1,
         }
     }

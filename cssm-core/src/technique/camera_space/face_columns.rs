@@ -10,7 +10,7 @@
 use glam::{DVec3, DVec4};
 
 use super::columns::{self, Column};
-use super::side_faces::{self, SideFace};
+use super::side_faces;
 use crate::distribution;
 use crate::facet::{FacetShape, Selection};
 use crate::plan::PlanError;
@@ -35,14 +35,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let mut selection =
         Selection { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands };
     let mut facets = Vec::new();
-    for sector in 0..SECTORS as usize {
-        selection.borders.push(border(&faces, sector));
-        let Some(face) = faces.get(sector) else {
-            // A sector that no walk reaches: its rows only fill the record.
-            selection.distances.push(DVec4::W);
-            selection.thresholds.push(vec![f64::MAX; bands as usize - 1]);
-            continue;
-        };
+    for (sector, face) in faces.iter().enumerate() {
         let sides = face.sides();
         let column = Column {
             sector: sector as u32,
@@ -53,22 +46,14 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         };
         let (drafts, limits) = columns::facets(&column, situation);
         facets.extend(drafts);
-        selection.distances.push(column.distance);
-        selection.thresholds.push(limits);
-    }
-    if bands == 1 {
-        selection.distances.clear();
-        selection.thresholds.clear();
+
+        // The outer borders of a run that does not close are the frustum's own silhouette: nothing is past them.
+        let closed = faces.len() == SECTORS as usize;
+        selection.borders.push(if sector > 0 || closed { face.start } else { DVec4::W });
+        if bands > 1 {
+            selection.distances.push(column.distance);
+            selection.thresholds.push(limits);
+        }
     }
     Ok(vec![Draft { configuration: SPEC.choice.name, form: "", selection, facets }])
-}
-
-/// Border row of a sector; see [`Selection::borders`]. The outer ones of a run that does not close are the frustum's own
-/// silhouette.
-fn border(faces: &[SideFace], sector: usize) -> DVec4 {
-    match faces.get(sector) {
-        Some(face) if sector > 0 || faces.len() == SECTORS as usize => face.start,
-        Some(_) => DVec4::W,
-        None => -DVec4::W,
-    }
 }

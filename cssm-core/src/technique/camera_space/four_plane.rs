@@ -16,7 +16,7 @@ use super::side_faces::{self, SideFace};
 use super::{columns, one_plane};
 use crate::distribution;
 use crate::facet::{FacetShape, Selection};
-use crate::light::LightPosition;
+use crate::light::{BORDER_MARGIN, LightPosition};
 use crate::plan::PlanError;
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::schema::{Choice, Default, Field, Kind, Unit, Word};
@@ -26,9 +26,7 @@ use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, 
 const SECTORS: u32 = 4;
 /// Two edges of a triangle are inner ones.
 const CLIPS: u32 = 2;
-/// Least distance of t from the rectangle's edge, in sides of the view's own.
-const MARGIN: f64 = 0.05;
-/// The same in gutters of the map.
+/// Least distance of t from the rectangle's edge in gutters of the map; in sides of the view it is [`BORDER_MARGIN`].
 const MARGIN_GUTTERS: f64 = 8.0;
 /// Share of the rows before the focus in the form on one plane.
 const EVEN_SHARE: f64 = 0.5;
@@ -93,15 +91,12 @@ impl Square {
         }
 
         // Take t in, with room for the gutters of the smallest triangle.
-        let light = situation.light;
-        let t = DVec2::new(light.x, light.y) / -light.z;
-        if !t.is_finite() {
-            return None;
-        }
+        let t = LightPosition::ray(situation.light.truncate())?;
         let map = situation.case.map;
         let gutters = MARGIN_GUTTERS * f64::from(situation.case.gutter_texels() + 1);
-        let margin = size * MARGIN.max(gutters / f64::from(map.width.min(map.height)));
-        let enlarged = Self { low: low.min(t - margin), high: high.max(t + margin), t };
+        let margin = size * BORDER_MARGIN.max(gutters / f64::from(map.width.min(map.height)));
+        let (low, high) = LightPosition::take_in(low, high, t, margin);
+        let enlarged = Self { low, high, t };
         let area = |size: DVec2| size.x * size.y;
         (area(enlarged.high - enlarged.low) <= LARGEST_AREA * area(size)).then_some(enlarged)
     }

@@ -163,6 +163,10 @@ fn header(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> String {
         (ShaderKind::CaptureTestedClamped, true) => {
             "renders casters with an alpha mask into one facet of the shadow map; clamps depth and cuts by itself."
         }
+        (ShaderKind::CaptureBent, _) => {
+            "decides texel by texel the casters that bent rows bend too far for straight edges."
+        }
+        (ShaderKind::CaptureBentTested, _) => "decides casters with an alpha mask texel by texel.",
         (ShaderKind::Mask, _) => "turns the view's depth into a visibility mask.",
         (ShaderKind::Function, _) => "visibility of a point, for the engine's own materials.",
     };

@@ -1,7 +1,8 @@
 //! The shader library: one file for each alternative of each slot, and which of them a case takes.
 
 use cssm_core::case::{Bias, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
-use cssm_core::table::{CaseTable, ShaderKind};
+use cssm_core::distribution::RemapKind;
+use cssm_core::table::{CaseTable, ConstantKind, GroupContent, ShaderKind};
 
 /// A file of the library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,8 +23,16 @@ macro_rules! library {
 }
 
 library![
+    "remap_perspective_divisor",
+    "remap_perspective",
+    "remap_perspective_slope",
+    "remap_perspective_inverse",
+    "remap_logarithmic",
+    "remap_logarithmic_slope",
+    "remap_logarithmic_inverse",
     "caster",
     "caster_tile",
+    "caster_tile_bent",
     "caster_clips",
     "caster_cut",
     "caster_mask",
@@ -36,26 +45,59 @@ library![
     "capture_tested_clipped",
     "capture_tested_clamped",
     "capture_tested_clamped_clipped",
+    "stretch_bend",
+    "stretch_perspective",
+    "stretch_logarithmic",
+    "stretch_mesh",
+    "stretch_mesh_uv",
+    "stretch_triangle",
+    "stretch_ordinary",
+    "stretch_weights",
+    "stretch_chords",
+    "stretch_fan",
+    "stretch_cover",
+    "capture_bent",
+    "capture_bent_tested",
+    "capture_bent_tested_clipped",
     "axes_plain",
     "axes_sheared",
     "axes_plain_normal",
     "axes_sheared_normal",
     "sector_walk",
+    "half_walk",
     "select_sectors",
     "select_bands",
+    "select_bands_scaled",
     "select_sectors_bands",
+    "select_sectors_bands_scaled",
+    "dominant_plane",
+    "own_walked",
+    "own_dominant",
+    "own_dominant_only",
     "place",
+    "place_bent_flat",
+    "place_bent_plane",
     "order_fixed",
     "order_chosen",
     "sampler_fixed",
     "sampler_chosen",
     "receiver_flat",
     "receiver_plane",
+    "up_straight",
+    "up_bent",
+    "plane_gradient",
+    "light_distance",
     "bias_none",
     "bias_constant",
+    "bias_constant_local",
     "bias_world_texel",
+    "bias_world_texel_local",
     "bias_slope",
+    "bias_slope_local",
     "bias_receiver_plane",
+    "bias_receiver_plane_local",
+    "bias_receiver_plane_bound",
+    "bias_receiver_plane_bound_local",
     "filter_none_flat",
     "filter_none_plane",
     "filter_hardware_flat",
@@ -65,9 +107,13 @@ library![
     "visibility_one_unbiased",
     "visibility_one_biased",
     "visibility_one_normal",
+    "visibility_one_biased_local",
+    "visibility_one_normal_local",
     "visibility_many_unbiased",
     "visibility_many_biased",
     "visibility_many_normal",
+    "visibility_many_biased_local",
+    "visibility_many_normal_local",
     "depth_reversed_z",
     "depth_linear",
     "view_ray",
@@ -95,6 +141,10 @@ pub(crate) fn pick(
         ShaderKind::CaptureTestedClamped => {
             (capture(table, shader), &["capture_tested_clamped_vertex", "capture_tested_clamped_fragment"])
         }
+        ShaderKind::CaptureBent => (capture(table, shader), &["capture_bent_vertex", "capture_bent_fragment"]),
+        ShaderKind::CaptureBentTested => {
+            (capture(table, shader), &["capture_bent_tested_vertex", "capture_bent_tested_fragment"])
+        }
         ShaderKind::Mask => {
             let mut names = visibility(case, table);
             names.extend(mask(case));
@@ -116,10 +166,26 @@ pub(crate) fn is_tested(shader: ShaderKind) -> bool {
     matches!(shader, ShaderKind::CaptureTested | ShaderKind::CaptureTestedClamped)
 }
 
+/// Whether a capture shader decides triangles texel by texel.
+fn is_bent(shader: ShaderKind) -> bool {
+    matches!(shader, ShaderKind::CaptureBent | ShaderKind::CaptureBentTested)
+}
+
+/// Whether a table's casters are told apart by how far rows bend their edges.
+fn bends_exactly(table: &CaseTable) -> bool {
+    table.group(ShaderKind::CaptureBent, GroupContent::CasterMesh).is_some()
+}
+
 /// Files of a capture shader.
 fn capture(table: &CaseTable, shader: ShaderKind) -> Vec<&'static str> {
     let (clipped, clamped, tested) = (table.clips > 0, is_clamped(shader), is_tested(shader));
-    let mut names = vec!["caster", "caster_tile"];
+    if is_bent(shader) {
+        return bent(table, shader);
+    }
+    let mut names = match bends_exactly(table) {
+        true => ordinary(table),
+        false => std::iter::once("caster").chain(tile_position(table)).collect(),
+    };
     names.extend(clipped.then_some("caster_clips"));
     names.extend((clipped && clamped).then_some("caster_cut"));
     names.extend(tested.then_some("caster_mask"));
@@ -137,24 +203,90 @@ fn capture(table: &CaseTable, shader: ShaderKind) -> Vec<&'static str> {
     names
 }
 
+/// Files of casters whose straight edges are close enough to bent ones.
+fn ordinary(table: &CaseTable) -> Vec<&'static str> {
+    let mut names = remap(table.remap, &[Remap::Value, Remap::Slope]);
+    names.extend(["stretch_bend", bending(table), "stretch_mesh", "stretch_triangle", "stretch_ordinary"]);
+    names
+}
+
+/// Files of a shader that decides triangles texel by texel.
+fn bent(table: &CaseTable, shader: ShaderKind) -> Vec<&'static str> {
+    let mut names = remap(table.remap, &[Remap::Value, Remap::Slope, Remap::Inverse]);
+    names.extend(["stretch_bend", bending(table), "stretch_mesh", "stretch_triangle"]);
+    names.extend(["stretch_weights", "stretch_chords", "stretch_fan", "stretch_cover"]);
+    match (shader == ShaderKind::CaptureBentTested, table.clips > 0) {
+        (false, _) => names.push("capture_bent"),
+        (true, false) => names.extend(["stretch_mesh_uv", "caster_mask", "capture_bent_tested"]),
+        (true, true) => {
+            names.extend(["stretch_mesh_uv", "caster_mask", "caster_clips", "caster_cut"]);
+            names.push("capture_bent_tested_clipped");
+        }
+    }
+    names
+}
+
+/// The file that tells how edges bend.
+fn bending(table: &CaseTable) -> &'static str {
+    match table.remap {
+        RemapKind::Logarithmic => "stretch_logarithmic",
+        RemapKind::None | RemapKind::Perspective => "stretch_perspective",
+    }
+}
+
+/// Files that place a corner in a tile.
+fn tile_position(table: &CaseTable) -> Vec<&'static str> {
+    let mut names = remap(table.remap, &[Remap::Value, Remap::Slope, Remap::Inverse]);
+    names.push(if names.is_empty() { "caster_tile" } else { "caster_tile_bent" });
+    names
+}
+
+/// What shaders need of a remap.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Remap {
+    /// `remapped`: from one over distance to clip y.
+    Value,
+    /// `remap_slope`: the change of clip y.
+    Slope,
+    /// `unremapped`: back to one over distance.
+    Inverse,
+}
+
+/// Files of a remap; none where rows are straight.
+fn remap(kind: RemapKind, needs: &[Remap]) -> Vec<&'static str> {
+    let file = |need: &Remap| match (kind, need) {
+        (RemapKind::None, _) => None,
+        (RemapKind::Perspective, Remap::Value) => Some("remap_perspective"),
+        (RemapKind::Perspective, Remap::Slope) => Some("remap_perspective_slope"),
+        (RemapKind::Perspective, Remap::Inverse) => Some("remap_perspective_inverse"),
+        (RemapKind::Logarithmic, Remap::Value) => Some("remap_logarithmic"),
+        (RemapKind::Logarithmic, Remap::Slope) => Some("remap_logarithmic_slope"),
+        (RemapKind::Logarithmic, Remap::Inverse) => Some("remap_logarithmic_inverse"),
+    };
+    let divisor = (kind == RemapKind::Perspective).then_some("remap_perspective_divisor");
+    divisor.into_iter().chain(needs.iter().filter_map(file)).collect()
+}
+
 /// Files of the visibility function.
 fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
-    let mut names = vec!["place"];
-
-    // Find the facet.
-    names.extend((table.sectors > 1).then_some("sector_walk"));
-    names.extend(match (table.sectors > 1, table.bands > 1) {
-        (false, false) => None,
-        (true, false) => Some("select_sectors"),
-        (false, true) => Some("select_bands"),
-        (true, true) => Some("select_sectors_bands"),
-    });
+    let plane = case.bias == Bias::ReceiverPlane;
+    let local = table.local_light && case.bias != Bias::None;
+    let bent = table.remap != RemapKind::None;
+    let mut names = walk(table);
 
     // Bring the receiver to the axes of the facets.
     names.push(if table.shears { "axes_sheared" } else { "axes_plain" });
-    if case.bias.reads_normal() {
+    if plane || case.bias.reads_normal() && !local {
         names.push(if table.shears { "axes_sheared_normal" } else { "axes_plain_normal" });
     }
+
+    // Place it in its facet.
+    names.push(match (bent, plane) {
+        (false, _) => "place",
+        (true, false) => "place_bent_flat",
+        (true, true) => "place_bent_plane",
+    });
+    names.extend(remap(table.remap, if plane { &[Remap::Value, Remap::Slope] } else { &[Remap::Value] }));
 
     // Tell which way depths compare.
     names.push(if table.may_reverse_depth { "order_chosen" } else { "order_fixed" });
@@ -163,15 +295,12 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
     }
 
     // Find the reference and compare it.
-    let plane = case.bias == Bias::ReceiverPlane;
     names.push(if plane { "receiver_plane" } else { "receiver_flat" });
-    names.push(match case.bias {
-        Bias::None => "bias_none",
-        Bias::Constant { .. } => "bias_constant",
-        Bias::WorldTexel { .. } => "bias_world_texel",
-        Bias::Slope { .. } => "bias_slope",
-        Bias::ReceiverPlane => "bias_receiver_plane",
-    });
+    if plane {
+        names.extend(["plane_gradient", if bent { "up_bent" } else { "up_straight" }]);
+    }
+    names.extend(local.then_some("light_distance"));
+    names.push(bias(case, table));
     names.push(match (case.filter, plane) {
         (Filter::None, false) => "filter_none_flat",
         (Filter::None, true) => "filter_none_plane",
@@ -182,15 +311,65 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
     });
 
     // Join them.
-    names.push(match (table.facets() > 1, case.bias) {
-        (false, Bias::None) => "visibility_one_unbiased",
-        (false, Bias::Constant { .. } | Bias::WorldTexel { .. }) => "visibility_one_biased",
-        (false, Bias::Slope { .. } | Bias::ReceiverPlane) => "visibility_one_normal",
-        (true, Bias::None) => "visibility_many_unbiased",
-        (true, Bias::Constant { .. } | Bias::WorldTexel { .. }) => "visibility_many_biased",
-        (true, Bias::Slope { .. } | Bias::ReceiverPlane) => "visibility_many_normal",
+    let many = table.cells() > 1;
+    names.push(match (many, case.bias.reads_normal(), local) {
+        (false, _, _) if case.bias == Bias::None => "visibility_one_unbiased",
+        (true, _, _) if case.bias == Bias::None => "visibility_many_unbiased",
+        (false, false, false) => "visibility_one_biased",
+        (false, false, true) => "visibility_one_biased_local",
+        (false, true, false) => "visibility_one_normal",
+        (false, true, true) => "visibility_one_normal_local",
+        (true, false, false) => "visibility_many_biased",
+        (true, false, true) => "visibility_many_biased_local",
+        (true, true, false) => "visibility_many_normal",
+        (true, true, true) => "visibility_many_normal_local",
     });
     names
+}
+
+/// Files that find the facet of a receiver; none for a single facet.
+fn walk(table: &CaseTable) -> Vec<&'static str> {
+    let (sectors, bands) = (table.sectors > 1, table.bands > 1);
+    let mut names = Vec::new();
+    if sectors {
+        names.push(if table.halves > 1 { "half_walk" } else { "sector_walk" });
+    }
+    names.extend(match (sectors, bands, table.scales_thresholds) {
+        (false, false, _) => None,
+        (true, false, _) => Some("select_sectors"),
+        (false, true, false) => Some("select_bands"),
+        (false, true, true) => Some("select_bands_scaled"),
+        (true, true, false) => Some("select_sectors_bands"),
+        (true, true, true) => Some("select_sectors_bands_scaled"),
+    });
+    if table.dominant {
+        names.push("dominant_plane");
+    }
+    names.extend(match (table.dominant, sectors || bands) {
+        (false, false) => None,
+        (false, true) => Some("own_walked"),
+        (true, false) => Some("own_dominant_only"),
+        (true, true) => Some("own_dominant"),
+    });
+    names
+}
+
+/// The file of the bias.
+fn bias(case: &LightCase, table: &CaseTable) -> &'static str {
+    let bound = table.constant(ConstantKind::StretchBound).is_some();
+    match (case.bias, table.local_light) {
+        (Bias::None, _) => "bias_none",
+        (Bias::Constant { .. }, false) => "bias_constant",
+        (Bias::Constant { .. }, true) => "bias_constant_local",
+        (Bias::WorldTexel { .. }, false) => "bias_world_texel",
+        (Bias::WorldTexel { .. }, true) => "bias_world_texel_local",
+        (Bias::Slope { .. }, false) => "bias_slope",
+        (Bias::Slope { .. }, true) => "bias_slope_local",
+        (Bias::ReceiverPlane, false) if bound => "bias_receiver_plane_bound",
+        (Bias::ReceiverPlane, true) if bound => "bias_receiver_plane_bound_local",
+        (Bias::ReceiverPlane, false) => "bias_receiver_plane",
+        (Bias::ReceiverPlane, true) => "bias_receiver_plane_local",
+    }
 }
 
 /// Files of the mask pass beside the visibility function.

@@ -61,6 +61,8 @@ pub(crate) fn binding_type(kind: BindingKind) -> &'static str {
     match kind {
         BindingKind::Uniform { record, .. } => record.name(),
         BindingKind::Map | BindingKind::SceneDepth => "texture_depth_2d",
+        BindingKind::MeshLayout => "array<vec4<u32>, 2>",
+        BindingKind::MeshPositions | BindingKind::MeshIndices | BindingKind::MeshUvs => "array<u32>",
         BindingKind::SceneLinearDepth | BindingKind::SceneNormal | BindingKind::CasterMask => {
             "texture_2d<f32>"
         }
@@ -78,6 +80,10 @@ pub(crate) fn binding_summary(table: &CaseTable, kind: BindingKind) -> &'static 
         BindingKind::Uniform { record: RecordKind::CasterMask, .. } => "How the caster's mask is read.",
         BindingKind::Uniform { record: RecordKind::Mask, .. } => "The view.",
         BindingKind::Map => "The shadow map.",
+        BindingKind::MeshLayout => "Where the caster's vertices lie in its buffers.",
+        BindingKind::MeshPositions => "Positions of the caster, as words.",
+        BindingKind::MeshIndices => "Indices of the caster, as words.",
+        BindingKind::MeshUvs => "Texture coordinates of the caster, as words.",
         BindingKind::SceneDepth => "The engine's depth, reversed-z.",
         BindingKind::SceneLinearDepth => "The engine's depth in metres along the view axis.",
         BindingKind::SceneNormal => "The engine's geometric normals, in the case's axes.",
@@ -117,7 +123,8 @@ fn padded_size(record: &Record, field: &RecordField) -> Option<u32> {
 
 fn print_binding(table: &CaseTable, group: u32, binding: &Binding, prefix: &Prefix, text: &mut String) {
     let space = match binding.kind {
-        BindingKind::Uniform { .. } => "var<uniform>",
+        BindingKind::Uniform { .. } | BindingKind::MeshLayout => "var<uniform>",
+        BindingKind::MeshPositions | BindingKind::MeshIndices | BindingKind::MeshUvs => "var<storage, read>",
         _ => "var",
     };
     let name = prefix.strip(&binding.name);

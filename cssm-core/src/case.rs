@@ -14,6 +14,7 @@ mod names;
 pub use builder::LightCaseBuilder;
 pub use fields::{FIELDS, MAP_SIDE_LIMIT_TEXELS};
 
+use crate::distribution::{self, RemapKind};
 use crate::facet::FacetShape;
 use crate::schema::{Arguments, Word};
 use crate::technique::{self, TechniqueSpec};
@@ -41,6 +42,10 @@ pub struct LightCase {
     pub configurations: Vec<Word>,
     /// How map rows are spent over depth; absent where the technique has no such choice.
     pub distribution: Option<Word>,
+    /// How casters are drawn where the distribution bends rows.
+    pub stretch: Stretch,
+    /// Facets of their own for receivers near a plane.
+    pub dominant_plane: Option<DominantPlane>,
     /// The map.
     pub map: MapSpec,
     /// How the map is filtered.
@@ -62,6 +67,49 @@ pub struct LightCase {
 pub enum LightKind {
     /// Parallel rays.
     Directional,
+    /// Rays from a point within a cone.
+    Spot,
+    /// Rays from a point to all sides.
+    Omni,
+}
+
+impl LightKind {
+    /// Name in declarations, tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Directional => "directional",
+            Self::Spot => "spot",
+            Self::Omni => "omni",
+        }
+    }
+
+    /// Whether rays begin at a point.
+    pub const fn is_local(self) -> bool {
+        !matches!(self, Self::Directional)
+    }
+}
+
+/// How casters are drawn where the distribution bends rows (camera space shadow maps, section 4).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stretch {
+    /// Rows are not bent: every facet is a homography.
+    None,
+    /// Only triangle corners are bent; edges between them stay straight.
+    Vertex,
+    /// Triangles whose straight edges would miss the bent ones by more than the bound are decided pixel by pixel.
+    Exact {
+        /// The bound.
+        bound_texels: f64,
+    },
+}
+
+/// Receivers near a plane get one texel for each of their pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DominantPlane {
+    /// Share of the map that is set aside.
+    pub share: f64,
+    /// Distance from the plane, to either side, within which receivers count as on it.
+    pub thickness_metres: f64,
 }
 
 /// How far the views of a case reach.
@@ -292,20 +340,24 @@ impl LightCase {
     /// How many facets a plan of this case may have, and how a receiver finds its own.
     pub fn shape(&self) -> FacetShape {
         let spec = self.technique_spec();
-        let none = FacetShape { sectors: 1, bands: 1, clips: 0 };
-        self.configurations.iter().fold(none, |shape, word| {
-            let one = (spec.configuration(word.name).shape)(self, word);
-            FacetShape {
-                sectors: shape.sectors.max(one.sectors),
-                bands: shape.bands.max(one.bands),
-                clips: shape.clips.max(one.clips),
-            }
-        })
+        let one = |word: &Word| (spec.configuration(word.name).shape)(self, word);
+        let dominant = FacetShape { dominant: self.dominant_plane.is_some(), ..FacetShape::ONE };
+        self.configurations.iter().fold(dominant, |shape, word| shape.max(one(word)))
+    }
+
+    /// The remap that the shaders of this case know.
+    pub fn remap(&self) -> RemapKind {
+        distribution::remap_kind(self)
     }
 
     /// Whether plans may store depth falling away from the light; see [`crate::plan::DepthOrder`].
     pub fn may_reverse_depth(&self) -> bool {
-        self.technique_spec().follows_camera
+        self.technique_spec().follows_camera || self.light.is_local()
+    }
+
+    /// Whether band limits are multiples of a row of each sector's own; see [`crate::facet::Selection::units`].
+    pub fn scales_thresholds(&self) -> bool {
+        self.light.is_local() && self.shape().bands > 1
     }
 
     /// Whether the resolve shaders shear positions along the light; see [`crate::ShadowPlan::shear`].

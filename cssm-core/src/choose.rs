@@ -6,7 +6,7 @@
 
 use std::fmt;
 
-use crate::case::LightCase;
+use crate::case::{LightCase, LightKind};
 use crate::light::{Light, LightPosition};
 use crate::plan::{PlanError, SceneBounds, ShadowPlan, plan_preferring};
 use crate::technique::TechniqueSpec;
@@ -24,6 +24,8 @@ pub struct ConfigurationChoice {
     /// What was predicted, one entry for each form of each declared configuration; empty when there was nothing to
     /// choose.
     pub predictions: Vec<Prediction>,
+    /// Whether every visible receiver that the light reaches has a facet; if not, nothing is promised of the rest.
+    pub complete: bool,
     /// Configurations of the technique that are made for the light's position; empty when the chosen one is. None of
     /// them is declared, or those declared would be worse.
     pub made_for_position: Vec<&'static str>,
@@ -50,14 +52,14 @@ pub struct Prediction {
     pub configuration: &'static str,
     /// Which of its forms; empty where it has one.
     pub form: &'static str,
-    /// 95th percentile of the texel footprint over sample receivers, screen pixels; infinite where it leaves out more
-    /// than a twentieth of them.
+    /// 95th percentile of the texel footprint over sample receivers, screen pixels; infinite where it leaves some
+    /// out.
     pub p95_pixels: f64,
 }
 
 impl fmt::Display for ConfigurationChoice {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { position, configuration, reason, predictions, made_for_position } = self;
+        let Self { position, configuration, reason, predictions, complete, made_for_position } = self;
         write!(out, "{configuration}: light {}; ", position.name())?;
         match reason {
             ChoiceReason::Only => write!(out, "the only one declared")?,
@@ -73,6 +75,9 @@ impl fmt::Display for ConfigurationChoice {
         }
         if !predictions.is_empty() {
             write!(out, ")")?;
+        }
+        if !complete {
+            write!(out, "; incomplete: some receivers have no facet")?;
         }
         if !made_for_position.is_empty() {
             let names = made_for_position.join(" or ");
@@ -168,11 +173,12 @@ pub(crate) fn choose(predictions: &[Prediction], kept: Kept) -> (usize, ChoiceRe
 /// Names of the technique's configurations that are made for a position of the light, if the chosen one is not.
 pub(crate) fn made_for(
     spec: &TechniqueSpec,
+    light: LightKind,
     position: LightPosition,
     configuration: &str,
 ) -> Vec<&'static str> {
     if (spec.configuration(configuration).serves)(position) {
         return Vec::new();
     }
-    spec.made_for(position).collect()
+    spec.made_for(light, position).collect()
 }

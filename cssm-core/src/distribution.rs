@@ -2,11 +2,16 @@
 //! nothing of the configuration that uses it.
 
 mod bands;
+mod folds;
+mod logarithmic;
 mod perspective;
+mod two_segment;
 
 pub use perspective::perspective_piece;
 
-use crate::case::LightCase;
+use crate::case::{LightCase, Stretch};
+use crate::focus::Focus;
+use crate::remap::Curve;
 use crate::schema::{Arguments, Choice};
 
 /// What the house knows about a distribution.
@@ -16,12 +21,28 @@ pub struct DistributionSpec {
     pub choice: Choice,
     /// Number of pieces that every column has.
     pub pieces: fn(&Arguments) -> u32,
+    /// The remap that its rows need when they are bent; [`RemapKind::None`]: rows are never bent.
+    pub bent: RemapKind,
+    /// Whether its rows can do without bending.
+    pub straight: bool,
     /// The pieces of one column, nearest first.
     pub split: fn(&Arguments, &DistanceRange) -> Vec<Piece>,
 }
 
+/// Families of remaps; the shaders of a case know one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RemapKind {
+    /// Every facet is a homography.
+    None,
+    /// [`Curve::Perspective`] and [`Curve::Straight`].
+    Perspective,
+    /// [`Curve::Logarithmic`] and [`Curve::Straight`].
+    Logarithmic,
+}
+
 /// Every distribution: the one place outside its own file that names it.
-pub const DISTRIBUTIONS: &[DistributionSpec] = &[bands::SPEC, perspective::SPEC];
+pub const DISTRIBUTIONS: &[DistributionSpec] =
+    &[bands::SPEC, perspective::SPEC, logarithmic::SPEC, two_segment::SPEC];
 
 /// Their declared names and parameters.
 pub const CHOICES: &[Choice] = &choices();
@@ -46,9 +67,20 @@ pub struct DistanceRange {
     /// How much nearer than the near plane the distance falls although receivers do not: distance + core is what
     /// screen size goes with.
     pub core_metres: f64,
+    /// How far lines of equal place across lean, at most, where they all meet at distance 0: 1 is half a right angle.
+    /// A push-back raises them.
+    pub slant: f64,
+    /// Near plane of the view where receivers begin beyond it because the light does not reach the eye; the density of
+    /// rows over distance then stays what it would be without the gap.
+    pub unlit_near_metres: Option<f64>,
+    /// The eye's height above the ground, where it is known.
+    pub eye_height_metres: Option<f64>,
+    /// Whether rows are bent by a remap where the distribution is continuous.
+    pub bends: bool,
 }
 
-/// A part of a column that is affine in 1 / (distance + push-back).
+/// A part of a column. Straight ones are affine in 1 / (distance + push-back); bent ones go through a curve of
+/// 1 / (distance + push-back).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piece {
     /// Where it begins.
@@ -57,12 +89,34 @@ pub struct Piece {
     pub farthest_metres: f64,
     /// Added to the distance for the divisor; infinite: rows are uniform.
     pub push_back_metres: f64,
+    /// What 1 / (distance + push-back) goes through.
+    pub curve: Curve,
+    /// How much finer its texels are to be than those of weight 1.
+    pub weight: f64,
 }
 
 /// Number of pieces in every column of a case.
 pub fn pieces(case: &LightCase) -> u32 {
     let (spec, arguments) = of(case);
     (spec.pieces)(arguments)
+}
+
+/// The remap that the rows of a case need.
+pub fn remap_kind(case: &LightCase) -> RemapKind {
+    let (spec, _) = of(case);
+    let bends = case.distribution.is_some() && case.stretch != Stretch::None;
+    if bends { spec.bent } else { RemapKind::None }
+}
+
+/// Whether plans of a case need the eye's height.
+pub fn needs_eye_height(case: &LightCase) -> bool {
+    let words = case.distribution.iter().chain(&case.configurations);
+    words.into_iter().any(|word| Focus::of(&word.arguments).needs_height())
+}
+
+/// The entry of a distribution's name.
+pub fn spec(name: &str) -> Option<&'static DistributionSpec> {
+    DISTRIBUTIONS.iter().find(|spec| spec.choice.name == name)
 }
 
 /// The pieces of one column of a case.
@@ -75,6 +129,6 @@ pub fn split(case: &LightCase, range: &DistanceRange) -> Vec<Piece> {
 fn of(case: &LightCase) -> (&'static DistributionSpec, &Arguments) {
     static NONE: Arguments = Arguments(Vec::new());
     let word = case.distribution.as_ref();
-    let spec = word.and_then(|word| DISTRIBUTIONS.iter().find(|spec| spec.choice.name == word.name));
+    let spec = word.and_then(|word| spec(word.name));
     (spec.unwrap_or(&DISTRIBUTIONS[0]), word.map_or(&NONE, |word| &word.arguments))
 }

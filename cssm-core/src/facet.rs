@@ -24,21 +24,42 @@
 
 use glam::{DVec2, DVec4};
 
+use crate::remap::Remap;
+
 /// How many facets a plan of a case may have and how a receiver finds its own; fixed by the declaration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FacetShape {
-    /// Sectors around the eye, told apart by shared border rows; 1: no walk.
+    /// Halves of space, told apart by one plane through the light; 1: not parted.
+    pub halves: u32,
+    /// Sectors in each half around the axis through eye and light, told apart by shared border rows; 1: no walk.
     pub sectors: u32,
     /// Bands in each sector, told apart by thresholds on the sector's distance row; 1: no thresholds.
     pub bands: u32,
     /// Half-spaces that the capture cuts casters with; 0: every tile is a rectangle of its own.
     pub clips: u32,
+    /// Whether receivers near a dominant plane have a facet of their own.
+    pub dominant: bool,
 }
 
 impl FacetShape {
-    /// Largest number of facets of a plan.
-    pub const fn facets(self) -> u32 {
-        self.sectors * self.bands
+    /// The shape of a single facet.
+    pub const ONE: Self = Self { halves: 1, sectors: 1, bands: 1, clips: 0, dominant: false };
+
+    /// Cells of the walk: `(half * sectors + sector) * bands + band`, and one more for the dominant plane.
+    pub const fn cells(self) -> u32 {
+        self.halves * self.sectors * self.bands + self.dominant as u32
+    }
+
+    /// The smallest shape that holds both.
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        Self {
+            halves: self.halves.max(other.halves),
+            sectors: self.sectors.max(other.sectors),
+            bands: self.bands.max(other.bands),
+            clips: self.clips.max(other.clips),
+            dominant: self.dominant || other.dominant,
+        }
     }
 }
 
@@ -47,13 +68,15 @@ impl FacetShape {
 pub struct FacetRows {
     /// Clip x of the tile; annihilates the light.
     pub x: DVec4,
-    /// Clip y of the tile, up; annihilates the light.
+    /// Clip y of the tile, up; annihilates the light. With a remap y/w is the k that it takes.
     pub y: DVec4,
     /// Clip z, from 0 towards the light to 1; z/w grows along the ray away from the light. With
     /// [`crate::plan::DepthOrder::Reversed`] from 1 to 0.
     pub z: DVec4,
     /// Clip w, positive on receivers; annihilates the light.
     pub w: DVec4,
+    /// What y/w goes through to become NDC.
+    pub remap: Remap,
 }
 
 /// Distance from a tile's edge, in texels, that keeps the nearest texel inside the tile in f32.
@@ -103,8 +126,8 @@ impl Tile {
 /// One facet of a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Facet {
-    /// Index in [`Selection`]'s numbering: `sector * bands + band`.
-    pub index: u32,
+    /// Cells of the [`Selection`] whose receivers are its own, ascending; at least one.
+    pub cells: Vec<u32>,
     /// Matrix rows.
     pub rows: FacetRows,
     /// Half-spaces (h.X >= 0) that hold the facet's own receivers.
@@ -119,82 +142,173 @@ pub struct Facet {
     /// Half-spaces (h.X >= 0) that hold everything whose shadow can reach the facet's receivers or the filter taps
     /// around them; a box entirely outside one of them casts no shadow here.
     pub casters: Vec<DVec4>,
-    /// Change of z/w times w per metre along the light, positive.
+    /// Change of z/w times w per metre along the light, positive; for a local light also times the distance from it
+    /// in metres.
     pub depth_per_metre: f64,
     /// Size of a texel across the light ray in metres, divided by w at the same point; the larger axis.
     pub texel_metres_per_w: f64,
-    /// Depth (z/w) by which an exact receiver plane is lowered: rounding and half the smaller texel axis.
+    /// Depth (z/w) by which an exact receiver plane is lowered for half the smaller texel axis; for a local light times
+    /// the distance from it in metres.
     pub receiver_plane_depth: f64,
+    /// Depth (z/w) by which an exact receiver plane is lowered for rounding.
+    pub rounding_depth: f64,
+}
+
+impl Facet {
+    /// The first of its cells, by which it is named in reports.
+    pub fn first_cell(&self) -> u32 {
+        self.cells.first().copied().unwrap_or(0)
+    }
 }
 
 /// The walk from a receiver to its facet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Selection {
-    /// Border rows of the sectors, in walking order. `borders[k]` separates sector k - 1 from sector k: a point
-    /// with `borders[k].X >= 0` lies at or past it. `borders[0]` closes the ring: points with a negative value
-    /// walk backwards from the last sector. A plan that does not surround the eye has `(0, 0, 0, 1)` there, and
-    /// `(0, 0, 0, -1)` for sectors it does not use. Empty when the shape has one sector.
+    /// Rows of the receivers near a dominant plane, which have a facet of their own: the first lies between -1 and 1, the
+    /// second is not negative. `None`: there is no plane.
+    pub dominant: Option<[DVec4; 2]>,
+    /// Parts the halves: points with `split.X >= 0` lie in the first. `None`: all do.
+    pub split: Option<DVec4>,
+    /// Border rows of the sectors of each half, in walking order, halves one after the other. `borders[k]` separates
+    /// sector k - 1 from sector k: a point with `borders[k].X >= 0` lies at or past it. The first closes the ring:
+    /// points with a negative value walk backwards from the last sector. A half that does not surround the axis has
+    /// `(0, 0, 0, 1)` there, and `(0, 0, 0, -1)` for sectors it does not use. Empty when the shape has one sector.
     pub borders: Vec<DVec4>,
     /// Distance row of each sector; empty when the shape has one band.
     pub distances: Vec<DVec4>,
     /// Ascending thresholds of each sector, `bands - 1` of them: band = how many the distance has reached.
     pub thresholds: Vec<Vec<f64>>,
+    /// Unit row of each sector that thresholds are multiplied with; empty where all are `(0, 0, 0, 1)`.
+    pub units: Vec<DVec4>,
+    /// Sectors in each half.
+    pub sectors: u32,
     /// Bands in each sector.
     pub bands: u32,
+}
+
+/// A cell of a walk.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Cell {
+    /// Half of space.
+    pub half: u32,
+    /// Sector within the half.
+    pub sector: u32,
+    /// Band within the sector.
+    pub band: u32,
+}
+
+impl Cell {
+    /// The cell of a shape's numbering.
+    pub const fn index(self, sectors: u32, bands: u32) -> u32 {
+        (self.half * sectors + self.sector) * bands + self.band
+    }
 }
 
 impl Selection {
     /// The walk of a plan with one facet.
     pub fn single() -> Self {
-        Self { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands: 1 }
+        Self::around(1, 1)
     }
 
-    /// The walk of a plan that may have fewer sectors and bands than the shape of its case: what is missing is never
-    /// reached.
-    pub fn padded(mut self, shape: &FacetShape) -> Self {
-        let (sectors, bands) = (shape.sectors as usize, shape.bands as usize);
-        if sectors > 1 {
-            if self.borders.is_empty() {
-                self.borders.push(DVec4::W);
-            }
-            self.borders.resize(sectors, -DVec4::W);
+    /// A walk with so many sectors in each half and bands in each sector, whose rows are still to be listed.
+    pub fn around(sectors: u32, bands: u32) -> Self {
+        Self {
+            dominant: None,
+            split: None,
+            borders: Vec::new(),
+            distances: Vec::new(),
+            thresholds: Vec::new(),
+            units: Vec::new(),
+            sectors,
+            bands,
         }
-        if bands > 1 {
-            self.distances.resize(sectors, DVec4::W);
-            self.thresholds.resize(sectors, Vec::new());
-            for limits in &mut self.thresholds {
+    }
+
+    /// The walk of a plan that may have fewer halves, sectors and bands than the shape of its case: what is missing is
+    /// never reached.
+    pub fn padded(self, shape: &FacetShape) -> Self {
+        let own_sectors = self.sectors.max(1) as usize;
+        let (halves, sectors, bands) = (shape.halves as usize, shape.sectors as usize, shape.bands as usize);
+        let place = |half: usize, sector: usize| half * own_sectors + sector;
+        let own = |half: usize, sector: usize| sector < own_sectors && (half == 0 || self.split.is_some());
+
+        let mut padded = Self {
+            dominant: self.dominant.or_else(|| shape.dominant.then_some([DVec4::W * NEVER, -DVec4::W])),
+            split: self.split.or_else(|| (halves > 1).then_some(DVec4::W)),
+            ..Self::around(shape.sectors, shape.bands)
+        };
+        for (half, sector) in (0..halves).flat_map(|half| (0..sectors).map(move |sector| (half, sector))) {
+            let listed = own(half, sector).then(|| place(half, sector));
+            if sectors > 1 {
+                let border = listed.and_then(|place| self.borders.get(place)).copied();
+                padded.borders.push(border.unwrap_or(if sector == 0 { DVec4::W } else { -DVec4::W }));
+            }
+            if bands > 1 {
+                let distance = listed.and_then(|place| self.distances.get(place)).copied();
+                padded.distances.push(distance.unwrap_or(DVec4::W));
+                let limits = listed.and_then(|place| self.thresholds.get(place)).cloned();
+                let mut limits = limits.unwrap_or_default();
                 limits.resize(bands - 1, f64::MAX);
+                padded.thresholds.push(limits);
+                if !self.units.is_empty() {
+                    let unit = listed.and_then(|place| self.units.get(place)).copied();
+                    padded.units.push(unit.unwrap_or(DVec4::W));
+                }
             }
         }
-        self.bands = shape.bands;
-        self
+        padded
     }
 
-    /// The sector of a homogeneous point relative to the eye.
+    /// The sector of a homogeneous point relative to the eye, halves counted through: `half * sectors + sector`.
     pub fn sector(&self, point: DVec4) -> u32 {
-        let Some(first) = self.borders.first() else { return 0 };
-        let last = self.borders.len() - 1;
+        let half = u32::from(self.split.is_some_and(|split| split.dot(point) < 0.0));
+        let start = (half * self.sectors) as usize;
+        let end = (start + self.sectors as usize).min(self.borders.len());
+        let Some((first, others)) = self.borders.get(start..end).and_then(|ring| ring.split_first()) else {
+            return half * self.sectors;
+        };
+
         // Walk from the ring's start on its near side, from its end on the far side.
-        if first.dot(point) >= 0.0 {
-            let reached = self.borders[1..].iter().take_while(|border| border.dot(point) >= 0.0);
-            reached.count() as u32
+        let walked = if first.dot(point) >= 0.0 {
+            others.iter().take_while(|border| border.dot(point) >= 0.0).count()
         } else {
-            let passed = self.borders[1..].iter().rev().take_while(|border| border.dot(point) < 0.0);
-            (last - passed.count()) as u32
-        }
+            others.len() - others.iter().rev().take_while(|border| border.dot(point) < 0.0).count()
+        };
+        half * self.sectors + walked as u32
     }
 
-    /// The facet index of a homogeneous point relative to the eye: `sector * bands + band`.
-    pub fn facet(&self, point: DVec4) -> u32 {
+    /// The cell of a homogeneous point relative to the eye.
+    pub fn cell(&self, point: DVec4) -> u32 {
+        let near_plane =
+            |[row, front]: [DVec4; 2]| row.dot(point).abs() <= point.w && front.dot(point) >= 0.0;
+        if self.dominant.is_some_and(near_plane) {
+            return self.dominant_cell();
+        }
         let sector = self.sector(point);
         let band = match self.distances.get(sector as usize) {
             None => 0,
             Some(row) => {
                 let distance = row.dot(point);
-                self.thresholds[sector as usize].iter().filter(|limit| distance >= **limit * point.w).count()
-                    as u32
+                let unit = self.units.get(sector as usize).map_or(point.w, |unit| unit.dot(point));
+                let limits = self.thresholds.get(sector as usize).map_or(&[][..], Vec::as_slice);
+                limits.iter().filter(|limit| distance >= **limit * unit).count() as u32
             }
         };
         sector * self.bands + band
     }
+
+    /// The cell of receivers near the dominant plane: the last.
+    pub fn dominant_cell(&self) -> u32 {
+        let halves = 1 + u32::from(self.split.is_some());
+        halves * self.sectors * self.bands
+    }
+
+    /// Every row of the walk.
+    pub(crate) fn rows_mut(&mut self) -> impl Iterator<Item = &mut DVec4> {
+        let parting = self.dominant.iter_mut().flatten().chain(&mut self.split);
+        parting.chain(&mut self.borders).chain(&mut self.distances).chain(&mut self.units)
+    }
 }
+
+/// A value of the dominant plane's row that no receiver reaches.
+const NEVER: f64 = 2.0;

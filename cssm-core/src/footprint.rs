@@ -63,7 +63,7 @@ pub fn beam_utilisation(plan: &ShadowPlan) -> f64 {
         .map(|facet| {
             let outline = polygon::outline(&facet.rows, &facet.receivers);
             // The tile's clip space has area 4.
-            polygon::area(&outline) / 4.0 * facet.tile.texels() as f64
+            polygon::area(&polygon::image(&facet.rows, &outline)) / 4.0 * facet.tile.texels() as f64
         })
         .sum();
     used / (f64::from(plan.map_size_texels.0) * f64::from(plan.map_size_texels.1))

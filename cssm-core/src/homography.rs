@@ -24,9 +24,17 @@ impl Gradients {
     pub fn at(rows: &FacetRows, point: DVec3) -> Self {
         let homogeneous = point.extend(1.0);
         let w = rows.w.dot(homogeneous);
-        let ndc = DVec3::new(rows.x.dot(homogeneous), rows.y.dot(homogeneous), rows.z.dot(homogeneous)) / w;
+        let ratios =
+            DVec3::new(rows.x.dot(homogeneous), rows.y.dot(homogeneous), rows.z.dot(homogeneous)) / w;
         let gradient = |row: DVec4, value: f64| (row.truncate() - rows.w.truncate() * value) / w;
-        Self { ndc, w, x: gradient(rows.x, ndc.x), y: gradient(rows.y, ndc.y), z: gradient(rows.z, ndc.z) }
+        let slope = rows.remap.slope(ratios.y);
+        Self {
+            ndc: DVec3::new(ratios.x, rows.remap.y(ratios.y), ratios.z),
+            w,
+            x: gradient(rows.x, ratios.x),
+            y: gradient(rows.y, ratios.y) * slope,
+            z: gradient(rows.z, ratios.z),
+        }
     }
 
     /// Displacements across the light ray, in metres, that change x/w alone and y/w alone by one.

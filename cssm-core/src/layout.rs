@@ -1,11 +1,14 @@
 //! Tiles: how facets share the map.
 //!
-//! Tiles stand in strips that run the whole height (or width) of the map; tiles of one strip share their width, so the
-//! map is covered without rest and only gutters are lost. Which tiles share a strip is found by dynamic programming
-//! over tiles ordered by the width they would like; areas are then balanced until all footprints agree.
+//! Tiles stand in strips that run the whole height of the map; tiles of one strip share their width, so the map is
+//! covered without rest and only gutters are lost. Facets that ask for equal footprints get them, as small as any
+//! partition into strips affords; the partition is judged by that very footprint, so that quality changes smoothly
+//! where another partition takes over. Facets that ask for shares of the map get tiles as square as can be.
 
-mod balance;
+mod curve;
+mod equal;
 mod fixed;
+mod shares;
 mod strips;
 
 use crate::facet::Tile;
@@ -22,6 +25,17 @@ pub struct TileDemand {
     pub request: TileRequest,
     /// Gram matrices of the pixel vectors that span the whole tile, at sample receivers.
     pub samples: Vec<Gram>,
+    /// Whether the tile may be turned by a quarter.
+    pub may_turn: bool,
+}
+
+/// A tile, and how the facet lies in it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Placement {
+    /// Its rectangle of the map.
+    pub tile: Tile,
+    /// Whether the facet's y runs along the tile's x: rows (x, y) become (y, -x).
+    pub turned: bool,
 }
 
 /// Products of the two screen vectors (pixels) that span a facet's clip space across and up.
@@ -38,14 +52,21 @@ pub struct Gram {
 impl Gram {
     /// Major axis in pixels of one texel of a tile of this inner size.
     pub fn major_pixels(&self, width: f64, height: f64) -> f64 {
-        self.major_pixels_squared(width, height).sqrt()
-    }
-
-    /// Squared major axis in pixels of one texel of a tile of this inner size.
-    fn major_pixels_squared(&self, width: f64, height: f64) -> f64 {
         let (xx, yy, xy) =
             (self.xx / (width * width), self.yy / (height * height), self.xy / (width * height));
-        0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()
+        (0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()).sqrt()
+    }
+
+    /// Vectors shorter by a factor.
+    pub(crate) fn shortened(&self, factor: f64) -> Self {
+        let square = factor * factor;
+        Self { xx: self.xx / square, yy: self.yy / square, xy: self.xy / square }
+    }
+
+    /// The same facet after a quarter turn of its clip space.
+    #[must_use]
+    pub fn turned(&self) -> Self {
+        Self { xx: self.yy, yy: self.xx, xy: -self.xy }
     }
 }
 
@@ -64,7 +85,7 @@ pub struct MapArea {
 
 impl MapArea {
     /// Smallest tile side.
-    fn smallest_side(&self) -> u32 {
+    pub(crate) fn smallest_side(&self) -> u32 {
         2 * self.gutter + SMALLEST_INNER_SIDE
     }
 
@@ -82,7 +103,11 @@ impl MapArea {
 ///
 /// # Errors
 /// [`PlanError::MapTooSmall`] when they do not fit.
-pub fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Tile>, PlanError> {
+pub fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Placement>, PlanError> {
+    let balanced = |request| matches!(request, TileRequest::Footprint | TileRequest::Coarser(_));
+    if demands.iter().all(|demand| balanced(demand.request)) {
+        return equal::place(demands, area);
+    }
     let fixed: Option<Vec<(u32, u32)>> = demands
         .iter()
         .map(|demand| match demand.request {
@@ -90,8 +115,9 @@ pub fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Tile>, PlanEr
             _ => None,
         })
         .collect();
-    match fixed {
+    let tiles = match fixed {
         Some(sizes) => fixed::place(&sizes, area),
-        None => balance::place(demands, area),
-    }
+        None => shares::place(demands, area),
+    }?;
+    Ok(tiles.into_iter().map(|tile| Placement { tile, turned: false }).collect())
 }

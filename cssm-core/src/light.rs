@@ -1,8 +1,13 @@
 //! Lights of a frame.
 
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DVec3, DVec4};
 
-use crate::view::View;
+use crate::case::LightKind;
+
+mod position;
+
+pub(crate) use position::BORDER_MARGIN;
+pub use position::LightPosition;
 
 /// A light in world space.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,6 +17,24 @@ pub enum Light {
         /// Unit vector from the scene towards the light, world axes.
         toward_light_world: DVec3,
     },
+    /// Rays from a point within a cone.
+    Spot {
+        /// Where the light stands, world space, metres.
+        position_world: DVec3,
+        /// Unit vector along the cone's axis, away from the light, world axes.
+        direction_world: DVec3,
+        /// Angle between the cone's axis and its edge, above 0 and below a quarter turn, radians.
+        half_angle_radians: f64,
+        /// Distance beyond which nothing is lit, metres; may be infinite.
+        range_metres: f64,
+    },
+    /// Rays from a point to all sides.
+    Omni {
+        /// Where the light stands, world space, metres.
+        position_world: DVec3,
+        /// Distance beyond which nothing is lit, metres; may be infinite.
+        range_metres: f64,
+    },
 }
 
 /// A light that makes no sense.
@@ -20,6 +43,17 @@ pub enum LightError {
     /// The direction has no length or is not finite.
     #[error("the light's direction {0} has no finite length; give a direction vector that is not zero")]
     Direction(DVec3),
+    /// The position is not finite.
+    #[error("the light's position {0} is not finite; give finite numbers")]
+    Position(DVec3),
+    /// The range is not positive.
+    #[error("the light's range of {0} m is not positive; give a positive or infinite range")]
+    Range(f64),
+    /// The cone is empty or no cone.
+    #[error(
+        "a half angle of {0} rad makes no cone; give an angle above 0 and below pi / 2, or use an omni light"
+    )]
+    HalfAngle(f64),
 }
 
 impl Light {
@@ -28,79 +62,119 @@ impl Light {
     /// # Errors
     /// [`LightError::Direction`] when the direction is zero or not finite.
     pub fn directional_travelling(direction_world: DVec3) -> Result<Self, LightError> {
-        // Scale by the largest component first, so that tiny and huge vectors keep their direction.
-        let largest = direction_world.abs().max_element();
-        if !direction_world.is_finite() || largest == 0.0 {
-            return Err(LightError::Direction(direction_world));
-        }
-        let unit = (direction_world / largest).normalize();
-        Ok(Self::Directional { toward_light_world: -unit })
+        Ok(Self::Directional { toward_light_world: -unit(direction_world)? })
+    }
+
+    /// A spot light that shines along `direction_world` (any length but zero).
+    ///
+    /// # Errors
+    /// A [`LightError`] that names the argument at fault.
+    pub fn spot(
+        position_world: DVec3,
+        direction_world: DVec3,
+        half_angle_radians: f64,
+        range_metres: f64,
+    ) -> Result<Self, LightError> {
+        let direction_world = unit(direction_world)?;
+        Self::Spot { position_world, direction_world, half_angle_radians, range_metres }.checked()
+    }
+
+    /// An omni light.
+    ///
+    /// # Errors
+    /// A [`LightError`] that names the argument at fault.
+    pub fn omni(position_world: DVec3, range_metres: f64) -> Result<Self, LightError> {
+        Self::Omni { position_world, range_metres }.checked()
     }
 
     /// The light as a homogeneous point relative to the eye, world axes: w = 0 for a directional light.
-    pub fn homogeneous(&self) -> DVec4 {
+    pub fn homogeneous(&self, eye_world: DVec3) -> DVec4 {
         match self {
             Self::Directional { toward_light_world } => toward_light_world.extend(0.0),
+            Self::Spot { position_world, .. } | Self::Omni { position_world, .. } => {
+                (*position_world - eye_world).extend(1.0)
+            }
         }
     }
-}
 
-/// Where a directional light stands to a view.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LightPosition {
-    /// In the view or exactly opposite: the light ray through the eye runs inside the frustum (dueling frusta).
-    Dueling,
-    /// Just outside: an image rectangle that takes the ray in is at most half as large again as the view's.
-    Border,
-    /// Anywhere else.
-    General,
-}
-
-/// Margin around the light ray, in sides of the image, with which it is taken in.
-pub(crate) const BORDER_MARGIN: f64 = 0.05;
-/// Distance from the image, in its sides, within which the light ray counts as near.
-const NEAR_SIZES: f64 = 2.0;
-/// Largest area of the image rectangle with the ray taken in, in areas of the image.
-const BORDER_AREA: f64 = 1.5;
-
-impl LightPosition {
-    /// The position of a light, given as the direction towards it in camera axes.
-    pub fn of(view: &View, toward_camera: DVec3) -> Self {
-        let (low, high) = (DVec2::new(view.left, view.bottom), DVec2::new(view.right, view.top));
-        let Some(ray) = Self::ray(toward_camera) else { return Self::General };
-        if ray.cmpgt(low).all() && ray.cmplt(high).all() {
-            return Self::Dueling;
-        }
-        let size = high - low;
-        let (low, high) = Self::take_in(low, high, ray, size * BORDER_MARGIN);
-        let enlarged = high - low;
-        if enlarged.x * enlarged.y <= BORDER_AREA * size.x * size.y { Self::Border } else { Self::General }
-    }
-
-    /// A rectangle of tangents, enlarged until it holds the light ray with a margin around it.
-    pub(crate) fn take_in(low: DVec2, high: DVec2, ray: DVec2, margin: DVec2) -> (DVec2, DVec2) {
-        (low.min(ray - margin), high.max(ray + margin))
-    }
-
-    /// Tangents of the light ray through the eye; `None` for light parallel to the image.
-    pub fn ray(toward_camera: DVec3) -> Option<DVec2> {
-        let ray = DVec2::new(toward_camera.x, toward_camera.y) / -toward_camera.z;
-        ray.is_finite().then_some(ray)
-    }
-
-    /// Whether the light ray runs so near the view that receivers may lie far along their own rays.
-    pub(crate) fn is_near(view: &View, ray: DVec2) -> bool {
-        let (low, high) = (DVec2::new(view.left, view.bottom), DVec2::new(view.right, view.top));
-        let reach = (high - low) * NEAR_SIZES;
-        ray.cmpgt(low - reach).all() && ray.cmplt(high + reach).all()
-    }
-
-    /// Name for reports.
-    pub const fn name(self) -> &'static str {
+    /// Its kind.
+    pub const fn kind(&self) -> LightKind {
         match self {
-            Self::Dueling => "in or opposite the view",
-            Self::Border => "just outside the view",
-            Self::General => "outside the view",
+            Self::Directional { .. } => LightKind::Directional,
+            Self::Spot { .. } => LightKind::Spot,
+            Self::Omni { .. } => LightKind::Omni,
         }
     }
+
+    /// Unit vector from a point in world space towards the light.
+    pub fn toward_world(&self, point_world: DVec3) -> DVec3 {
+        match self {
+            Self::Directional { toward_light_world } => *toward_light_world,
+            Self::Spot { position_world, .. } | Self::Omni { position_world, .. } => {
+                (*position_world - point_world).normalize_or(DVec3::Y)
+            }
+        }
+    }
+
+    /// Distance to the light from a point in world space; infinite for a directional light.
+    pub fn distance_metres(&self, point_world: DVec3) -> f64 {
+        match self {
+            Self::Directional { .. } => f64::INFINITY,
+            Self::Spot { position_world, .. } | Self::Omni { position_world, .. } => {
+                position_world.distance(point_world)
+            }
+        }
+    }
+
+    /// Whether the light could reach a point in world space if nothing stood in its way.
+    pub fn reaches(&self, point_world: DVec3) -> bool {
+        match *self {
+            Self::Directional { .. } => true,
+            Self::Omni { position_world, range_metres } => {
+                position_world.distance(point_world) <= range_metres
+            }
+            Self::Spot { position_world, direction_world, half_angle_radians, range_metres } => {
+                let from_light = point_world - position_world;
+                let distance = from_light.length();
+                distance <= range_metres
+                    && from_light.dot(direction_world) >= libm::cos(half_angle_radians) * distance
+            }
+        }
+    }
+
+    /// The light, if every number of it makes sense.
+    ///
+    /// # Errors
+    /// A [`LightError`] that names the number at fault.
+    pub fn checked(self) -> Result<Self, LightError> {
+        let point = |position: DVec3, range: f64| match (position.is_finite(), range > 0.0) {
+            (false, _) => Err(LightError::Position(position)),
+            (true, false) => Err(LightError::Range(range)),
+            (true, true) => Ok(()),
+        };
+        match self {
+            Self::Directional { toward_light_world } => {
+                unit(toward_light_world)?;
+            }
+            Self::Omni { position_world, range_metres } => point(position_world, range_metres)?,
+            Self::Spot { position_world, direction_world, half_angle_radians, range_metres } => {
+                point(position_world, range_metres)?;
+                unit(direction_world)?;
+                if !(half_angle_radians > 0.0 && half_angle_radians < std::f64::consts::FRAC_PI_2) {
+                    return Err(LightError::HalfAngle(half_angle_radians));
+                }
+            }
+        }
+        Ok(self)
+    }
+}
+
+/// The unit vector of a direction of any length.
+fn unit(direction: DVec3) -> Result<DVec3, LightError> {
+    // Scale by the largest component first, so that tiny and huge vectors keep their direction.
+    let largest = direction.abs().max_element();
+    if !direction.is_finite() || largest == 0.0 {
+        return Err(LightError::Direction(direction));
+    }
+    Ok((direction / largest).normalize())
 }

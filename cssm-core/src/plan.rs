@@ -3,19 +3,24 @@
 use glam::{DMat3, DVec2, DVec3, DVec4};
 
 mod casters;
+mod dominant;
 mod finish;
 mod fitted;
+mod lit;
 mod region;
 mod window;
 
+pub(crate) use self::dominant::DominantFacet;
+pub use self::dominant::dominant_plane;
 use self::fitted::Fitted;
-use crate::case::{FarKind, LightCase};
+use crate::case::{FarKind, LightCase, LightKind};
 use crate::choose::{ConfigurationChoice, Kept, Prediction, choose, made_for};
-use crate::facet::{Facet, Selection};
-use crate::light::{Light, LightPosition};
+use crate::distribution;
+use crate::facet::{Facet, Selection, Tile};
+use crate::light::{Light, LightError, LightPosition};
 use crate::receivers::Polytope;
 use crate::schema::Word;
-use crate::technique::{Draft, Situation};
+use crate::technique::{Cone, Draft, Situation};
 use crate::view::View;
 
 /// What is known about the scene.
@@ -23,6 +28,27 @@ use crate::view::View;
 pub struct SceneBounds {
     /// World-space box that holds every receiver; `None`: receivers may be anywhere in the view.
     pub receivers: Option<BoundingBox>,
+    /// Height of the eye above the ground in metres, for a focus that is a multiple of it; `None`: the distance from
+    /// the dominant plane, if there is one.
+    pub eye_height_metres: Option<f64>,
+    /// The plane that most of what is visible lies on, for cases that set a share of the map apart for it.
+    pub dominant_plane: Option<WorldPlane>,
+}
+
+impl SceneBounds {
+    /// Nothing but the receivers' box is known.
+    pub fn of(receivers: Option<BoundingBox>) -> Self {
+        Self { receivers, ..Self::default() }
+    }
+}
+
+/// A plane in world space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WorldPlane {
+    /// A point on it, metres.
+    pub point_world: DVec3,
+    /// Its normal, of any length but zero, to either side.
+    pub normal_world: DVec3,
 }
 
 /// An axis-aligned box in f64.
@@ -49,7 +75,8 @@ pub struct ShadowPlan {
     /// or near the view every facet row but depth then depends on two coordinates that hold no part along the
     /// light; without, f32 sums would cancel where receivers lie far along their rays. Zero elsewhere.
     pub shear: DVec2,
-    /// The light as a homogeneous point relative to the eye, world axes.
+    /// The light as a homogeneous point relative to the eye, world axes: unit direction towards it and w = 0, or position
+    /// and w = 1.
     pub light: DVec4,
     /// How the map stores depth.
     pub depth_order: DepthOrder,
@@ -57,8 +84,8 @@ pub struct ShadowPlan {
     pub map_size_texels: (u32, u32),
     /// The walk from a receiver to its facet.
     pub selection: Selection,
-    /// Facets with receivers, in ascending index; an index that the selection can name but that is not listed
-    /// belongs to no visible receiver.
+    /// Facets with receivers, in order of their first cells; a cell that the selection can name but that no facet lists belongs to no visible
+    /// receiver.
     pub facets: Vec<Facet>,
 }
 
@@ -142,6 +169,24 @@ pub enum PlanError {
         /// Largest corner.
         max: DVec3,
     },
+    /// The light is of another kind than the case's.
+    #[error(
+        "the case declares light: {declared}, but the plan's light is {given}; give a light of that kind or declare another case"
+    )]
+    LightKind {
+        /// Name of the declared kind.
+        declared: &'static str,
+        /// Name of the given kind.
+        given: &'static str,
+    },
+    /// The light makes no sense.
+    #[error(transparent)]
+    Light(#[from] LightError),
+    /// A focus is a multiple of an unknown height.
+    #[error(
+        "the case declares a focus in multiples of the eye's height above the ground; give eye_height_metres or a dominant plane with the scene bounds"
+    )]
+    EyeHeight,
     /// The light or the bounds hold NaN or infinite numbers.
     #[error("{what} is not finite; give finite numbers")]
     NotFinite {
@@ -158,9 +203,9 @@ impl ShadowPlan {
         shear * self.camera_from_world
     }
 
-    /// The facet with an index of [`Selection::facet`], if it has visible receivers.
-    pub fn facet(&self, index: u32) -> Option<&Facet> {
-        self.facets.iter().find(|facet| facet.index == index)
+    /// The facet of a cell of [`Selection::cell`], if it has visible receivers.
+    pub fn facet(&self, cell: u32) -> Option<&Facet> {
+        self.facets.iter().find(|facet| facet.cells.contains(&cell))
     }
 }
 
@@ -199,53 +244,86 @@ pub(crate) fn plan_preferring(
     bounds: &SceneBounds,
     kept: Kept,
 ) -> Result<ShadowPlan, PlanError> {
-    // Bring the light to camera space; refuse what is not finite.
-    let light_world = light.homogeneous();
+    // Refuse what is not finite or not declared.
+    let light_world = light.homogeneous(view.eye_world);
     if !light_world.is_finite() {
         return Err(PlanError::NotFinite { what: "the light" });
+    }
+    let light = light.checked()?;
+    if light.kind() != case.light {
+        let (declared, given) = (case.light.name(), light.kind().name());
+        return Err(PlanError::LightKind { declared, given });
     }
     if case.far == FarKind::Finite && view.far_metres.is_infinite() {
         return Err(PlanError::InfiniteView);
     }
-    let toward = (view.camera_from_world * light_world.truncate()).normalize();
-    let situation =
-        Situation { case, view, light: toward.extend(0.0), receivers: receivers(case, view, bounds)? };
+    let plane = dominant_row(view, bounds)?;
+    let eye_height_metres = bounds.eye_height_metres.or(plane.map(|plane| plane.w.abs()));
+    if eye_height_metres.is_none() && distribution::needs_eye_height(case) {
+        return Err(PlanError::EyeHeight);
+    }
+
+    // Bring the light to camera space.
+    let turned = view.camera_from_world * light_world.truncate();
+    let light_camera = if light_world.w > 0.0 { turned } else { turned.normalize() }.extend(light_world.w);
+    let cone = match light {
+        Light::Spot { direction_world, half_angle_radians, .. } => {
+            let direction = (view.camera_from_world * direction_world).normalize();
+            Some(Cone { direction, half_angle_radians })
+        }
+        Light::Directional { .. } | Light::Omni { .. } => None,
+    };
+    let mut receivers = receivers(case, view, bounds)?;
+    lit::cut(&mut receivers, &light, light_camera, cone);
+    let situation = Situation { case, view, light: light_camera, cone, eye_height_metres, receivers };
 
     // Draft every declared configuration, fit the drafts and take the best.
     let spec = case.technique_spec();
     let samples = window::samples(&situation);
+    let dominant = plane.and_then(|plane| dominant::facet(&situation, plane));
     let draft = |word: &Word| (spec.configuration(word.name).draft)(&situation, word);
-    let drafts: Vec<Draft> = any(case.configurations.iter().map(draft))?.into_iter().flatten().collect();
+    let drafted = any(case.configurations.iter().map(draft))?.into_iter().flatten();
+    let drafts: Vec<Draft> = drafted.map(|draft| draft.with_dominant(dominant.as_ref())).collect();
     let mut fitted = any(drafts.iter().map(|draft| fitted::fit(draft, &situation, &samples)))?;
     if fitted.is_empty() {
-        return Err(PlanError::Degenerate { facet: 0, why: "the case declares no configuration" });
+        return Err(PlanError::Degenerate {
+            facet: 0,
+            why: "no declared configuration has facets for this light; declare the technique's defaults",
+        });
     }
     let predictions: Vec<Prediction> = fitted.iter().map(Fitted::prediction).collect();
-    let (best, reason) = choose(&predictions, kept);
-    let Fitted { draft, windows, tiles, .. } = fitted.swap_remove(best);
+    let (best_draft, reason) = choose(&predictions, kept);
+    let complete = predictions[best_draft].p95_pixels.is_finite();
+    let Fitted { draft, windows, tiles, .. } = fitted.swap_remove(best_draft);
 
     // Store depth and shear positions the way that rounds least.
-    let position = LightPosition::of(view, toward);
-    let shear = match LightPosition::ray(toward) {
-        Some(ray) if spec.follows_camera && LightPosition::is_near(view, ray) => ray,
+    let position = LightPosition::of(view, light_camera);
+    let shear = match LightPosition::ray(light_camera) {
+        Some(ray) if case.technique_spec().follows_camera && LightPosition::is_near(view, ray) => ray,
         _ => DVec2::ZERO,
     };
-    let ahead = toward.z < 0.0;
-    let depth_order = if ahead && spec.follows_camera { DepthOrder::Reversed } else { DepthOrder::Standard };
+    let ahead = spec.follows_camera && light_camera.z < 0.0;
+    let orders: &[DepthOrder] = match (case.light, ahead) {
+        (LightKind::Spot | LightKind::Omni, _) => &[DepthOrder::Reversed, DepthOrder::Standard],
+        (LightKind::Directional, true) => &[DepthOrder::Reversed],
+        (LightKind::Directional, false) => &[DepthOrder::Standard],
+    };
+    let finished = |order: &DepthOrder| {
+        let rules = finish::DepthRules { order: *order, shear };
+        finish_all(&windows, &tiles, rules, &situation).map(|(facets, rounding)| (*order, facets, rounding))
+    };
+    let finished = any(orders.iter().map(finished))?;
+    let best = finished.into_iter().min_by(|(.., one), (.., two)| one.total_cmp(two));
+    let (depth_order, facets, _) =
+        best.ok_or(PlanError::Degenerate { facet: 0, why: "its depth has no order" })?;
 
-    // Finish each facet and turn everything to world axes.
-    let rules = finish::DepthRules { order: depth_order, shear };
-    let shape = case.shape();
+    // Turn everything to world axes.
     let camera_from_world = view.camera_from_world;
     let row_to_world = |row: DVec4| (camera_from_world.transpose() * row.truncate()).extend(row.w);
-    let mut facets = Vec::with_capacity(windows.len());
-    for (window, tile) in windows.iter().zip(tiles) {
-        let index = window.draft.sector * shape.bands + window.draft.band;
-        let facet = finish::finish(window, tile, index, rules, &situation)?;
-        facets.push(facet.turned(&row_to_world));
-    }
-    let mut selection = draft.selection.clone().padded(&shape);
-    for row in selection.borders.iter_mut().chain(&mut selection.distances) {
+    let mut facets: Vec<Facet> = facets.into_iter().map(|facet| facet.turned(&row_to_world)).collect();
+    facets.sort_by_key(Facet::first_cell);
+    let mut selection = draft.selection.clone().padded(&case.shape());
+    for row in selection.rows_mut() {
         *row = row_to_world(*row);
     }
     let configuration = draft.configuration;
@@ -254,7 +332,8 @@ pub(crate) fn plan_preferring(
         configuration,
         reason,
         predictions: if predictions.len() > 1 { predictions } else { Vec::new() },
-        made_for_position: made_for(spec, position, configuration),
+        complete,
+        made_for_position: made_for(spec, case.light, position, configuration),
     };
     Ok(ShadowPlan {
         configuration,
@@ -268,6 +347,40 @@ pub(crate) fn plan_preferring(
         selection,
         facets,
     })
+}
+
+/// Finishes every window in camera space; also says how far rounding moves depth: the logarithm of texels, averaged over
+/// the receivers of the view.
+fn finish_all(
+    windows: &[window::Window<'_>],
+    tiles: &[Tile],
+    rules: finish::DepthRules,
+    situation: &Situation<'_>,
+) -> Result<(Vec<Facet>, f64), PlanError> {
+    let shape = situation.case.shape();
+    let mut facets = Vec::with_capacity(windows.len());
+    let mut moved = 0.0;
+    for (window, tile) in windows.iter().zip(tiles) {
+        let cells = if window.draft.is_dominant() {
+            vec![shape.cells() - 1]
+        } else {
+            window.draft.cells.iter().map(|cell| cell.index(shape.sectors, shape.bands)).collect()
+        };
+        let (facet, rounding) = finish::finish(window, *tile, cells, rules, situation)?;
+        moved += window.seen as f64 * libm::log(rounding.max(f64::MIN_POSITIVE));
+        facets.push(facet);
+    }
+    Ok((facets, moved))
+}
+
+/// The dominant plane as unit normal and offset, camera space.
+fn dominant_row(view: &View, bounds: &SceneBounds) -> Result<Option<DVec4>, PlanError> {
+    let Some(WorldPlane { point_world, normal_world }) = bounds.dominant_plane else { return Ok(None) };
+    let normal = normal_world.try_normalize().filter(|_| point_world.is_finite());
+    let normal =
+        normal.ok_or(PlanError::NotFinite { what: "the dominant plane, or its normal's inverse length," })?;
+    let offset = -normal.dot(point_world - view.eye_world);
+    Ok(Some((view.camera_from_world * normal).extend(offset)))
 }
 
 /// What succeeded; the first error only where nothing did.

@@ -5,7 +5,8 @@ use glam::{DVec2, DVec4};
 use crate::facet::FacetRows;
 use crate::receivers::is_negligible;
 
-/// Convex outline (counter-clockwise, NDC) of a receiver vertex list in a facet's clip space.
+/// Convex outline (counter-clockwise) of a receiver vertex list in a facet's x/w and y/w: its clip space, unless its rows
+/// are bent.
 pub fn outline(rows: &FacetRows, receivers: &[DVec4]) -> Vec<DVec2> {
     let points = receivers.iter().filter_map(|vertex| {
         let w = rows.w.dot(*vertex);
@@ -13,6 +14,33 @@ pub fn outline(rows: &FacetRows, receivers: &[DVec4]) -> Vec<DVec2> {
         usable.then(|| DVec2::new(rows.x.dot(*vertex), rows.y.dot(*vertex)) / w)
     });
     hull(points.collect())
+}
+
+/// Points on the edges of an outline after bending.
+const BENT_STEPS: u32 = 24;
+
+/// The outline after the rows' remap, in NDC: bent edges become many short ones.
+pub fn image(rows: &FacetRows, outline: &[DVec2]) -> Vec<DVec2> {
+    if rows.remap.is_none() {
+        return outline.to_vec();
+    }
+    let edges = outline.iter().zip(outline.iter().cycle().skip(1));
+    let steps = edges.flat_map(|(one, two)| {
+        // Even steps in the bent coordinate follow it best.
+        let (from, to) = (rows.remap.y(one.y), rows.remap.y(two.y));
+        (0..BENT_STEPS).map(move |step| {
+            let share = f64::from(step) / f64::from(BENT_STEPS);
+            let y = from + (to - from) * share;
+            let along = if one.y == two.y { share } else { (rows.remap.k(y) - one.y) / (two.y - one.y) };
+            DVec2::new(one.x + (two.x - one.x) * along, y)
+        })
+    });
+    let mut points: Vec<DVec2> = steps.collect();
+    if area(&points) < 0.0 {
+        // A remap that falls turns the outline over.
+        points.reverse();
+    }
+    points
 }
 
 /// Area enclosed by a counter-clockwise outline.

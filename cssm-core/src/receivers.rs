@@ -160,12 +160,19 @@ impl Polytope {
 
     /// Smallest and largest value of row.X / X.w over the vertices; infinite where a vertex at infinity makes it so.
     pub fn range(&self, row: DVec4) -> (f64, f64) {
+        self.quotient_range(row, DVec4::W)
+    }
+
+    /// Smallest and largest value of row.X / unit.X over the vertices; infinite where a vertex with a vanishing unit
+    /// makes it so.
+    pub fn quotient_range(&self, row: DVec4, unit: DVec4) -> (f64, f64) {
         let values = self.vertices.iter().filter_map(|vertex| {
-            let value = row.dot(*vertex);
-            match (vertex.w > 0.0, is_negligible(value, row, *vertex)) {
-                (true, _) => Some(value / vertex.w),
-                (false, true) => None,
-                (false, false) => Some(value * f64::INFINITY),
+            let (value, scale) = (row.dot(*vertex), unit.dot(*vertex));
+            let vanishes = scale <= 0.0 || (unit != DVec4::W && is_negligible(scale, unit, *vertex));
+            match (vanishes, is_negligible(value, row, *vertex)) {
+                (false, _) => Some(value / scale),
+                (true, true) => None,
+                (true, false) => Some(value * f64::INFINITY),
             }
         });
         extremes(values)

@@ -56,6 +56,19 @@ pub enum Kind {
         /// The unit that must be written after the number.
         unit: Unit,
     },
+    /// A real number as [`Self::Number`], or one of several names, each with arguments of its own.
+    NumberOr {
+        /// Lower end of the range.
+        min: f64,
+        /// Upper end of the range; may be infinite.
+        max: f64,
+        /// Whether the ends themselves are refused.
+        open: bool,
+        /// The unit that must be written after the number.
+        unit: Unit,
+        /// What may stand instead.
+        choices: &'static [Choice],
+    },
     /// The word `auto`, or a whole number in `min..=max`.
     AutoOrCount {
         /// Smallest allowed value.
@@ -146,6 +159,18 @@ impl Field {
     /// The field of a name.
     pub fn find<'a>(fields: &'a [Self], name: &str) -> Option<&'a Self> {
         fields.iter().find(|field| field.name == name)
+    }
+}
+
+impl Kind {
+    /// The number that may stand where a number or a name may.
+    pub const fn number(&self) -> Option<Self> {
+        match *self {
+            Self::NumberOr { min, max, open, unit, .. } | Self::Number { min, max, open, unit } => {
+                Some(Self::Number { min, max, open, unit })
+            }
+            _ => None,
+        }
     }
 }
 

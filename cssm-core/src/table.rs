@@ -15,7 +15,8 @@ pub use write::{
 
 use std::borrow::Cow;
 
-use crate::case::{Axes, DepthFormat};
+use crate::case::{Axes, DepthFormat, Stretch};
+use crate::distribution::RemapKind;
 
 /// Records, bindings, passes and shaders of one case.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,12 +33,24 @@ pub struct CaseTable {
     pub map_height: u32,
     /// Map texel format.
     pub map_format: DepthFormat,
-    /// Sectors of the selection walk.
+    /// Halves of the selection walk.
+    pub halves: u32,
+    /// Sectors of each half.
     pub sectors: u32,
     /// Bands in each sector.
     pub bands: u32,
     /// Half-spaces that the capture cuts casters with; 0: every tile is a rectangle of its own.
     pub clips: u32,
+    /// Whether receivers near a dominant plane have a cell of their own, after all others.
+    pub dominant: bool,
+    /// Whether band limits are multiples of a row of each sector's own.
+    pub scales_thresholds: bool,
+    /// Whether rays begin at a point; the shadow record then holds its position where a bias needs it.
+    pub local_light: bool,
+    /// How facets bend their rows.
+    pub remap: RemapKind,
+    /// How casters are drawn where rows are bent.
+    pub stretch: Stretch,
     /// Whether plans may store depth reversed; the shadow record then holds its sign.
     pub may_reverse_depth: bool,
     /// Axes of positions and normals in the resolve shaders.
@@ -162,8 +175,28 @@ pub enum Meaning {
     DepthPerMetre,
     /// Larger texel axis across the ray in metres, per w.
     TexelMetresPerW,
-    /// Depth by which an exact receiver plane is lowered.
+    /// Depth by which an exact receiver plane is lowered for half a texel, and for rounding: their sum; for a local light
+    /// the first part alone, times the distance from it.
     ReceiverPlaneDepth,
+    /// Depth by which an exact receiver plane is lowered for rounding, for a local light.
+    RoundingDepth,
+    /// Remap of the rows: for [`RemapKind::Perspective`] (shift, scale, push-back, 0); for [`RemapKind::Logarithmic`]
+    /// (shift, change per ln(k focus) before the focus and after it, focus), then (k of the horizon, shift, change
+    /// per k beyond it, 0).
+    Remap,
+    /// Width and height of the facet's tile in texels.
+    TileSize,
+    /// Smallest and largest k of the tile (xy) and the map texel of its upper left corner (zw), for casters that are decided
+    /// texel by texel.
+    StretchTile,
+    /// Position of a local light relative to the eye, in the case's axes.
+    LightPosition,
+    /// Plane through the light that parts the halves.
+    Split,
+    /// Rows of receivers near the dominant plane: the first between -1 and 1, the second not negative.
+    Dominant,
+    /// Rows that band limits are multiplied with, one per sector.
+    Units,
     /// Unit vector towards the light, in the case's axes.
     TowardLight,
     /// What x and y gain per z by the shear along the light: leading parts of twelve bits (xy), then the rest (zw).
@@ -220,7 +253,17 @@ impl Meaning {
             Self::Thresholds => {
                 "Ascending band limits of each sector, four to a vector; unused ones are out of reach."
             }
-            Self::Facets => "The facets: index = sector * bands + band.",
+            Self::Facets => "The facets: cell = (half * sectors + sector) * bands + band.",
+            Self::RoundingDepth => "Depth by which an exact receiver plane is lowered for rounding.",
+            Self::Remap => "How y/w becomes clip y: shifts and scales of a monotone curve.",
+            Self::TileSize => "Width and height of the tile in texels.",
+            Self::StretchTile => {
+                "Smallest and largest k of the tile (xy), map texel of its upper left corner (zw)."
+            }
+            Self::LightPosition => "The light's position relative to the eye, in the case's axes.",
+            Self::Split => "Plane through the light: receivers on its positive side walk the first half.",
+            Self::Dominant => "Receivers near the dominant plane: first row in [-1, 1], second not negative.",
+            Self::Units => "Rows that the limits of each sector are multiplied with.",
             Self::RayCorner => {
                 "Direction through the image's upper left corner, depth 1, in the case's axes."
             }
@@ -249,6 +292,8 @@ pub struct BindGroup {
 pub enum GroupContent {
     /// One facet of the capture stage.
     CaptureFacet,
+    /// Buffers of a caster whose vertices the shader fetches by itself.
+    CasterMesh,
     /// Alpha mask of a caster.
     CasterMask,
     /// The engine's depth (and normals) and the view.
@@ -290,6 +335,18 @@ pub enum BindingKind {
     CasterMask,
     /// The engine's sampler for alpha masks.
     CasterMaskSampler,
+    /// Where a caster's vertices lie in its buffers, `array<vec4<u32>, 2>`: first word of the positions, words between
+    /// them, first index, how indices are stored (0: none, 1: 16 bits, 2: 32 bits); then format of the positions, first
+    /// word of the texture coordinates, words between them, their format. Formats: 0 floats, 1 half floats, 2 and 3
+    /// normalised 16 bits with and without sign, 4 and 5 normalised 8 bits with and without sign, 6 three times 10 bits
+    /// without sign.
+    MeshLayout,
+    /// Positions of a caster in the engine's own buffer, as words.
+    MeshPositions,
+    /// Indices of a caster in the engine's own buffer, as words.
+    MeshIndices,
+    /// Texture coordinates of a caster in the engine's own buffer, as words.
+    MeshUvs,
     /// `sampler_comparison`, linear; less or equal, or greater or equal where depth is stored reversed.
     ComparisonSampler,
     /// `sampler`, nearest, not filtering.
@@ -307,6 +364,10 @@ pub enum ShaderKind {
     CaptureTested,
     /// As [`Self::CaptureClamped`], for casters with an alpha mask.
     CaptureTestedClamped,
+    /// Decides texel by texel the triangles that bent rows bend too far for straight edges.
+    CaptureBent,
+    /// Decides every triangle of casters with an alpha mask texel by texel.
+    CaptureBentTested,
     /// Screen-space visibility.
     Mask,
     /// The function for the engine's materials; no entry point.
@@ -321,6 +382,8 @@ impl ShaderKind {
             Self::CaptureClamped => "capture_clamped",
             Self::CaptureTested => "capture_tested",
             Self::CaptureTestedClamped => "capture_tested_clamped",
+            Self::CaptureBent => "capture_bent",
+            Self::CaptureBentTested => "capture_bent_tested",
             Self::Mask => "mask",
             Self::Function => "function",
         }
@@ -410,8 +473,8 @@ impl CaseTable {
         self.shaders.iter().find(|shader| shader.kind == kind)
     }
 
-    /// Largest number of facets of a plan.
-    pub fn facets(&self) -> u32 {
-        self.sectors * self.bands
+    /// Cells of the selection walk; the shadow record holds a facet for each.
+    pub fn cells(&self) -> u32 {
+        self.halves * self.sectors * self.bands + u32::from(self.dominant)
     }
 }

@@ -4,13 +4,14 @@ pub mod camera_space;
 pub mod parallel_split;
 pub mod standard;
 
-use glam::{DVec2, DVec4};
+use glam::{DVec2, DVec3, DVec4};
 
-use crate::case::{CaseError, LightCase};
-use crate::facet::{FacetShape, Selection};
+use crate::case::{CaseError, LightCase, LightKind};
+use crate::facet::{Cell, FacetShape, Selection};
 use crate::light::LightPosition;
-use crate::plan::PlanError;
+use crate::plan::{DominantFacet, PlanError};
 use crate::receivers::Polytope;
+use crate::remap::Curve;
 use crate::schema::{Choice, Word};
 use crate::view::View;
 
@@ -19,8 +20,11 @@ use crate::view::View;
 pub struct TechniqueSpec {
     /// Name, summary and parameters as declared.
     pub choice: Choice,
-    /// Configurations it can take, default first.
+    /// Configurations it can take.
     pub configurations: &'static [ConfigurationSpec],
+    /// Names of the configurations that a declaration without any stands for, which together serve every position of a
+    /// kind of light; empty where it serves none of that kind.
+    pub default_configurations: fn(LightKind) -> &'static [&'static str],
     /// Default distribution in the declaration grammar; `None`: the technique takes none.
     pub distribution: Option<&'static str>,
     /// Whether it can fit receivers at infinity; if not, the case must bound them.
@@ -37,6 +41,8 @@ pub struct TechniqueSpec {
 pub struct ConfigurationSpec {
     /// Name, summary and parameters as declared.
     pub choice: Choice,
+    /// Kinds of light that it can be declared for.
+    pub lights: &'static [LightKind],
     /// Whether the case's distribution says how its rows are spent.
     pub takes_distribution: bool,
     /// Positions of the light that it is made for; elsewhere it answers as well as it can.
@@ -96,10 +102,47 @@ pub fn spec(name: &str) -> &'static TechniqueSpec {
     TECHNIQUES.iter().find(|spec| spec.choice.name == name).unwrap_or(&TECHNIQUES[0])
 }
 
+/// Default configurations of a technique that serves directional lights with one configuration.
+const fn only_directional(light: LightKind, name: &'static [&'static str]) -> &'static [&'static str] {
+    match light {
+        LightKind::Directional => name,
+        LightKind::Spot | LightKind::Omni => &[],
+    }
+}
+
+impl FacetDraft {
+    /// Whether it is the facet of receivers near a dominant plane.
+    pub fn is_dominant(&self) -> bool {
+        self.cells.is_empty()
+    }
+
+    /// A facet of one cell whose rows are not bent.
+    pub fn straight(cell: Cell, rows: [DVec4; 3], own: (Vec<DVec4>, Polytope), region: Region) -> Self {
+        let ([x, y, w], (select, receivers)) = (rows, own);
+        Self { cells: vec![cell], x, y, curve: Curve::Straight, w, select, receivers, region }
+    }
+}
+
+impl Cell {
+    /// The first cell of a walk.
+    pub const FIRST: Self = Self { half: 0, sector: 0, band: 0 };
+
+    /// A sector's cell in the first half of a walk.
+    pub const fn of(sector: u32, band: u32) -> Self {
+        Self { half: 0, sector, band }
+    }
+}
+
 impl TechniqueSpec {
     /// Names of the configurations that are made for a position of the light.
-    pub fn made_for(&self, position: LightPosition) -> impl Iterator<Item = &'static str> {
-        let serving = self.configurations.iter().filter(move |known| (known.serves)(position));
+    pub fn made_for(&self, light: LightKind, position: LightPosition) -> impl Iterator<Item = &'static str> {
+        let known = self.configurations.iter().filter(move |known| known.lights.contains(&light));
+        known.filter(move |known| (known.serves)(position)).map(|known| known.choice.name)
+    }
+
+    /// Names of the configurations for a kind of light.
+    pub fn serving(&self, light: LightKind) -> impl Iterator<Item = &'static str> {
+        let serving = self.configurations.iter().filter(move |known| known.lights.contains(&light));
         serving.map(|known| known.choice.name)
     }
 
@@ -116,10 +159,23 @@ pub struct Situation<'a> {
     pub case: &'a LightCase,
     /// The view; only its projection is meaningful here.
     pub view: &'a View,
-    /// The light as a homogeneous point: unit direction towards it, w = 0.
+    /// The light as a homogeneous point: unit direction towards it, w = 0; position of a local light, w = 1.
     pub light: DVec4,
+    /// Axis of a spot light's cone, away from the light.
+    pub cone: Option<Cone>,
+    /// The eye's height above the ground, where it is known.
+    pub eye_height_metres: Option<f64>,
     /// Everything visible that may be in shadow.
     pub receivers: Polytope,
+}
+
+/// Cone of a spot light, in camera space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cone {
+    /// Unit vector along its axis, away from the light.
+    pub direction: DVec3,
+    /// Angle between axis and edge, radians.
+    pub half_angle_radians: f64,
 }
 
 /// What a technique answers: the walk and the facets, before tiles, depth rows and windows are found.
@@ -129,23 +185,50 @@ pub struct Draft {
     pub configuration: &'static str,
     /// Which of the configuration's forms this is; empty where it has one.
     pub form: &'static str,
+    /// Whether every receiver has a facet; if not, nothing is promised of the rest.
+    pub complete: bool,
     /// The walk from a receiver to its facet.
     pub selection: Selection,
     /// The facets.
     pub facets: Vec<FacetDraft>,
 }
 
+impl Draft {
+    /// The draft with a facet for receivers near a dominant plane.
+    pub(crate) fn with_dominant(mut self, dominant: Option<&DominantFacet>) -> Self {
+        self.selection.dominant = dominant.map(|dominant| dominant.rows);
+        self.facets.extend(dominant.map(|dominant| dominant.facet.clone()));
+        self
+    }
+
+    /// The facet of each cell of the walk.
+    pub(crate) fn owners(&self) -> Vec<Option<usize>> {
+        let Selection { sectors, bands, .. } = self.selection;
+        let mut owners = vec![None; self.selection.dominant_cell() as usize + 1];
+        for (index, facet) in self.facets.iter().enumerate() {
+            if facet.is_dominant() {
+                owners[self.selection.dominant_cell() as usize] = Some(index);
+            }
+            for cell in &facet.cells {
+                let owner = owners.get_mut(cell.index(sectors, bands) as usize);
+                owner.into_iter().for_each(|owner| *owner = Some(index));
+            }
+        }
+        owners
+    }
+}
+
 /// A facet before its window is fitted.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct FacetDraft {
-    /// Sector of the selection.
-    pub sector: u32,
-    /// Band within the sector.
-    pub band: u32,
+    /// Cells of the selection whose receivers are its own; none: those near the dominant plane.
+    pub cells: Vec<Cell>,
     /// Across; annihilates the light.
     pub x: DVec4,
-    /// Up the tile; annihilates the light.
+    /// Up the tile; annihilates the light. Where rows are bent, y/w is 1 / distance.
     pub y: DVec4,
+    /// What y/w goes through; [`Curve::Straight`] where rows are not bent.
+    pub curve: Curve,
     /// Divisor, positive on receivers; annihilates the light.
     pub w: DVec4,
     /// Half-spaces of its own receivers.
@@ -161,6 +244,8 @@ pub struct FacetDraft {
 pub enum Region {
     /// A tile of its own; the rows x and y are fitted to it, whatever affine change that takes.
     Tile(TileRequest),
+    /// A tile of its own that shows the clip space of its rows from -1 to 1, whatever of it holds receivers.
+    Whole(TileRequest),
     /// A triangle of a tile that it shares with every facet that names the same square.
     Triangle {
         /// Number of the square in the draft.
@@ -178,6 +263,8 @@ pub enum Region {
 pub enum TileRequest {
     /// As many texels as make its footprint equal to the others'.
     Footprint,
+    /// The same with a footprint so many times the others'.
+    Coarser(f64),
     /// A share of the map, as square as can be.
     Share(f64),
     /// Width and height in texels.

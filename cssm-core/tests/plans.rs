@@ -101,7 +101,7 @@ fn what_cannot_be_planned_says_why() {
     let standard = standard.build().unwrap();
     assert!(matches!(plan(&standard, &infinite, &overhead, &none), Err(PlanError::Unbounded { .. })));
     let around = BoundingBox { min: DVec3::splat(-50.0), max: DVec3::splat(50.0) };
-    let bounds = SceneBounds { receivers: Some(around) };
+    let bounds = SceneBounds::of(Some(around));
     assert_eq!(plan(&standard, &infinite, &overhead, &bounds).unwrap().facets.len(), 1);
 
     let finite = LightCase::builder("Finite").far(FarKind::Finite).build().unwrap();
@@ -113,13 +113,18 @@ fn what_cannot_be_planned_says_why() {
     let crowded = LightCase::builder("Crowded").technique(splits).shadow_distance_metres(100.0);
     let crowded = crowded.map_size_texels(1024, 1024).build().unwrap();
     assert!(matches!(plan(&crowded, &infinite, &overhead, &none), Err(PlanError::MapTooSmall { .. })));
-    let tiny = LightCase::builder("Tiny").bands(16, 1e5).map_size_texels(64, 64).build().unwrap();
+    let tiny = LightCase::builder("Tiny")
+        .bands(16, 1e5)
+        .map_size_texels(64, 64)
+        .map_gutter_texels(4)
+        .build()
+        .unwrap();
     let behind = sun(toward(5.0, 180.0));
     assert!(matches!(plan(&tiny, &infinite, &behind, &none), Err(PlanError::MapTooSmall { .. })));
 
     // Nothing visible is a plan without facets, not an error.
     let away = BoundingBox { min: DVec3::new(-1.0, -1.0, 5.0), max: DVec3::new(1.0, 1.0, 9.0) };
-    let empty = plan(&standard, &infinite, &overhead, &SceneBounds { receivers: Some(away) }).unwrap();
+    let empty = plan(&standard, &infinite, &overhead, &SceneBounds::of(Some(away))).unwrap();
     assert!(empty.facets.is_empty());
 }
 
@@ -132,7 +137,7 @@ fn a_flat_scene_has_a_plan_and_an_inverted_one_a_reason() {
     let mut random = Random::new(4);
     for case in cases(1024, 1000.0) {
         for light in [toward(60.0, 150.0), toward(20.0, 0.0), toward(20.0, 180.0), toward(1.0, 90.0)] {
-            let flat = SceneBounds { receivers: Some(BoundingBox { min, max }) };
+            let flat = SceneBounds::of(Some(BoundingBox { min, max }));
             let plan = plan(&case, &view, &sun(light), &flat).unwrap();
             for _ in 0..500 {
                 let ray = view.ray_world(random.unit() * 640.0, random.unit() * 360.0);
@@ -141,12 +146,12 @@ fn a_flat_scene_has_a_plan_and_an_inverted_one_a_reason() {
                 if ray.y >= 0.0 || world.cmplt(min * 0.999).any() || world.cmpgt(max * 0.999).any() {
                     continue;
                 }
-                let facet = plan.facet(plan.selection.facet(point.extend(1.0))).unwrap();
+                let facet = plan.facet(plan.selection.cell(point.extend(1.0))).unwrap();
                 let ndc = Gradients::at(&facet.rows, point).ndc;
                 assert!(ndc.x.abs() <= 1.0 && ndc.y.abs() <= 1.0, "{} {light} {ndc}", case.name);
                 assert!((-0.1..=1.1).contains(&ndc.z), "{} {light} {ndc}", case.name);
             }
-            let inverted = SceneBounds { receivers: Some(BoundingBox { min: max, max: min }) };
+            let inverted = SceneBounds::of(Some(BoundingBox { min: max, max: min }));
             let refused = cssm_core::plan(&case, &view, &sun(light), &inverted);
             assert!(matches!(refused, Err(PlanError::Bounds { .. })));
         }
@@ -294,7 +299,7 @@ fn every_light_around_a_view_has_a_plan() {
                     for _ in 0..200 {
                         let ray = view.ray_world(random.unit() * 1920.0, random.unit() * 1080.0);
                         let point = (ray * 0.1 * 1e5_f64.powf(random.unit())).extend(1.0);
-                        let index = plan.selection.facet(point);
+                        let index = plan.selection.cell(point);
                         let place = format!("{} {camera} at {point}: facet {index}", case.name);
                         let facet = plan.facet(index).unwrap_or_else(|| panic!("{place}"));
                         let rows = &facet.rows;
@@ -324,7 +329,7 @@ fn boxes_that_share_planes_with_the_view_stay_small() {
         let special = [DVec3::Y, DVec3::Z, DVec3::X, DVec3::new(0.0, 1.0, 3_f64.sqrt())];
         let light = special[(random.bits() % 4) as usize].normalize();
         for case in &cases(1024, 64.0) {
-            let plan = plan(case, &view, &sun(light), &SceneBounds { receivers }).unwrap();
+            let plan = plan(case, &view, &sun(light), &SceneBounds::of(receivers)).unwrap();
             assert!(plan.facets.iter().all(|facet| facet.receivers.len() <= 32));
             planned += plan.facets.len();
         }

@@ -24,15 +24,34 @@ pub fn parse_point(text: &str) -> Result<DVec3, String> {
     }
 }
 
-/// `directional:x,y,z`, the direction in which the light travels.
+/// What `--light` takes.
+pub const LIGHT_FORMS: &str =
+    "directional:X,Y,Z|omni:PX,PY,PZ[:RANGE]|spot:PX,PY,PZ:DX,DY,DZ:HALF_ANGLE_DEGREES[:RANGE]";
+
+/// A light: the direction in which a directional one travels; a local one's position, a spot light's direction and the
+/// angle between its axis and its edge in degrees, and the range in metres, without which there is no limit.
 ///
 /// # Errors
 /// What to write instead.
 pub fn parse_light(text: &str) -> Result<Light, String> {
-    let direction = text
-        .strip_prefix("directional:")
-        .ok_or("only directional lights are known; write directional:x,y,z, the direction in which the light travels")?;
-    Light::directional_travelling(parse_point(direction)?).map_err(|error| error.to_string())
+    let unknown = || format!("`{text}` is no light; write {LIGHT_FORMS}");
+    let (kind, rest) = text.split_once(':').ok_or_else(unknown)?;
+    let parts: Vec<&str> = rest.split(':').collect();
+    let range = |part: Option<&&str>| part.map_or(Ok(f64::INFINITY), |text| parse_depth(text));
+    let light = match (kind, &parts[..]) {
+        ("directional", [direction]) => Light::directional_travelling(parse_point(direction)?),
+        ("omni", [position, rest @ ..]) if rest.len() < 2 => {
+            Light::omni(parse_point(position)?, range(rest.first())?)
+        }
+        ("spot", [position, direction, angle, rest @ ..]) if rest.len() < 2 => {
+            let degrees: f64 =
+                angle.trim().parse().map_err(|_| format!("`{angle}` is no angle; write degrees"))?;
+            let (position, direction) = (parse_point(position)?, parse_point(direction)?);
+            Light::spot(position, direction, degrees.to_radians(), range(rest.first())?)
+        }
+        _ => return Err(unknown()),
+    };
+    light.map_err(|error| error.to_string())
 }
 
 /// A depth in metres, or `inf`.
@@ -85,6 +104,12 @@ mod tests {
             panic!()
         };
         assert_eq!(toward_light_world, DVec3::Y);
+        let lamp = DVec3::new(1.0, 2.0, -3.0);
+        assert_eq!(parse_light("omni:1,2,-3"), Ok(Light::omni(lamp, f64::INFINITY).unwrap()));
+        assert_eq!(parse_light("omni:1,2,-3:8.5"), Ok(Light::omni(lamp, 8.5).unwrap()));
+        let spot = |range| Ok(Light::spot(lamp, DVec3::NEG_Y, 30_f64.to_radians(), range).unwrap());
+        assert_eq!(parse_light("spot:1,2,-3:0,-1,0:30"), spot(f64::INFINITY));
+        assert_eq!(parse_light("spot:1,2,-3:0,-1,0:30:12"), spot(12.0));
     }
 
     #[test]
@@ -104,9 +129,19 @@ mod tests {
         let texts: Vec<_> = errors.into_iter().map(|error| error.expect_err("the value is wrong")).collect();
         assert_eq!(texts[0], "2 numbers were given; write three: x,y,z");
         assert_eq!(texts[1], "`three` is not a number; write x,y,z");
-        assert!(texts[3].contains("directional:x,y,z"));
+        assert!(texts[3].contains("directional:X,Y,Z|omni:PX,PY,PZ"));
         assert!(texts[4].contains("not zero"));
         assert_eq!(texts[5], "write a positive number of metres, or inf");
         assert_eq!(texts[9], "give at most 16384 pixels a side");
+        for (text, said) in [
+            ("omni:1,2,3:4:5", "is no light"),
+            ("omni:1,2,3:-4", "positive number of metres"),
+            ("spot:1,2,3:0,-1,0", "is no light"),
+            ("spot:1,2,3:0,-1,0:90", "no cone"),
+            ("spot:1,2,3:0,-1,0:wide", "is no angle"),
+        ] {
+            let error = parse_light(text).expect_err("the light is wrong");
+            assert!(error.contains(said), "{text}: {error}");
+        }
     }
 }

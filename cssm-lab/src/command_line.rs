@@ -56,9 +56,6 @@ fn run_command(line: &CommandLine) -> Result<String, LabError> {
             Ok(table)
         }
         Command::ContactSheet(arguments) => contact_sheet::run(arguments, progress),
-        Command::Footprint(arguments) => {
-            footprint_command::run(arguments)?;
-            Ok(String::new())
-        }
+        Command::Footprint(arguments) => Ok(footprint_command::run(arguments)?),
     }
 }

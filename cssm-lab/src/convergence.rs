@@ -5,10 +5,11 @@ use serde::Serialize;
 
 use crate::case_file::with_map_size;
 use crate::error::LabError;
-use crate::gpu::ResolveMethod;
 use crate::score::Score;
 use crate::score::statistics::slope;
-use crate::stage::Stage;
+use crate::sight::Sight;
+pub use crate::stage::convergence;
+use crate::twin::{self, TwinCasters};
 
 /// Map sides that are tried.
 pub const SIDES: [u32; 5] = [256, 512, 1024, 2048, 4096];
@@ -46,20 +47,28 @@ pub struct Level {
     pub score: Score,
 }
 
-/// Tries a case on a stage with square maps of several sizes.
+/// Tries a case on the f64 twin with square maps of several sizes.
 ///
 /// # Errors
-/// [`LabError::NothingJudged`] when no level could be judged; else whatever planning or the device says.
-pub fn convergence(
-    stage: &Stage<'_>,
+/// [`LabError::NothingJudged`] when no level could be judged; else what planning says.
+pub fn twin_convergence(
+    sight: &Sight<'_>,
+    casters: &TwinCasters<'_>,
     case: &LightCase,
-    method: ResolveMethod,
     sides: &[u32],
+) -> Result<Convergence, LabError> {
+    converge(case, sides, |case| Ok(twin::outcome(sight, casters, case)?.outcome.score))
+}
+
+/// Scores a case with square maps of several sizes.
+pub(crate) fn converge(
+    case: &LightCase,
+    sides: &[u32],
+    score: impl Fn(&LightCase) -> Result<Score, LabError>,
 ) -> Result<Convergence, LabError> {
     let mut levels = Vec::with_capacity(sides.len());
     for side in sides {
-        let case = with_map_size(case.clone(), (*side, *side))?;
-        let score = stage.attempt(&case, method)?.outcome()?.score;
+        let score = score(&with_map_size(case.clone(), (*side, *side))?)?;
         levels.push(Level { side: *side, judged: is_judged(&score), score });
     }
     summary(levels)

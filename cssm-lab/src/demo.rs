@@ -103,7 +103,7 @@ fn show_scene(
         write_results(&folder, attempt, &outcome, &report)?;
 
         let frame = &stage.frame;
-        let shaded = shaded_picture(scene, frame, &outcome.visibility);
+        let shaded = shaded_picture(scene, frame, &outcome.visibility, &stage.light);
         let errors = error_picture(frame.width, frame.height, &outcome.verdicts, &outcome.score);
         columns.push(Picture::stacked(&[shaded.titled(&title(&report)), errors]));
         reports.push(report);

@@ -66,6 +66,16 @@ pub enum LabError {
     /// The scene suggests no view.
     #[error("the scene suggests no view; give --eye, --target and --light")]
     NoView,
+    /// The scene has no lamp of that name.
+    #[error("scene {scene} has no lamp {name}; it has {}; or give --light", if known.is_empty() { "none".to_owned() } else { known.join(", ") })]
+    NoSuchLamp {
+        /// The scene.
+        scene: String,
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: Vec<&'static str>,
+    },
     /// A result file or folder cannot be written.
     #[error("cannot write {}: {source}; check that the folder exists and has space", path.display())]
     Write {

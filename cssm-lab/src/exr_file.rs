@@ -96,9 +96,11 @@ mod tests {
             position: DVec3::new(1.5, -2.5, -8.0),
             normal: DVec3::Y,
             cosine: 0.5,
+            light_metres: f64::INFINITY,
             depth: 8.0,
             instance: 3,
             triangle: 9,
+            reached: true,
             lit: true,
         };
         let footprint = PixelFootprint { volume_pixels: 1.25, geometric_pixels: 1.0, surface_pixels: 2.0 };

@@ -1,21 +1,36 @@
-//! `cssm-lab footprint`: how many screen pixels a map texel spans, for the plan the runtime would upload.
+//! `cssm-lab footprint`: how many screen pixels a map texel spans, for the plan the runtime would upload, beside what a
+//! prototype of the same technique measured.
+
+pub mod cases;
+pub mod figures;
+pub mod grid;
+pub mod omni;
+pub mod reference;
+mod tables;
 
 use std::path::PathBuf;
 
 use clap::Args;
-use cssm_core::case::{LightCase, LightCaseBuilder};
-use cssm_core::footprint::{self, VolumeScore};
 use cssm_core::glam::DVec3;
-use cssm_core::schema::{Value, Word};
-use cssm_core::{Light, PlanError, SceneBounds, View, plan};
+use cssm_core::{Light, PlanError, View, footprint};
+use rayon::prelude::*;
 use serde::Serialize;
 
-/// Scores the texel footprints of cases over the visible volume.
+use cases::{BuiltIn, HORIZON_METRES};
+use figures::{Figures, Measured, measure};
+use grid::{Class, Direction, light_grid, parse_direction};
+use omni::{OmniError, PLACES, Place};
+use reference::Reference;
+
+/// Scores the texel footprints of cases over the visible volume and on the ground.
 #[derive(Debug, Args)]
 pub struct FootprintArguments {
     /// Declaration files to score; without any, the built-in cases
     #[arg(long = "case", value_name = "FILE")]
     cases: Vec<PathBuf>,
+    /// Built-in cases whose names contain this; may be given again
+    #[arg(long, value_name = "TEXT")]
+    only: Vec<String>,
     /// Vertical field of view in degrees
     #[arg(long, value_name = "DEG", default_value_t = 60.0)]
     fov_y: f64,
@@ -38,7 +53,7 @@ pub struct FootprintArguments {
     #[arg(long, value_name = "M", default_value_t = 10.0)]
     focus: f64,
     /// Direction towards the light in camera space, degrees: elevation, azimuth (0 ahead, 90 right, 180 behind);
-    /// without any, the grid of 36
+    /// without any, the grid of 36 and the omni lights
     #[arg(long = "light", value_name = "EL,AZ", value_parser = parse_direction, allow_hyphen_values = true)]
     lights: Vec<Direction>,
     /// Sample receivers for each light
@@ -78,274 +93,236 @@ pub enum FootprintError {
         /// The reason.
         source: PlanError,
     },
+    /// A configuration has no figures under a lamp.
+    #[error("{configuration}, lamp at {position:?}: {source}")]
+    Omni {
+        /// The configuration.
+        configuration: &'static str,
+        /// Where the lamp stands.
+        position: [f64; 3],
+        /// The reason.
+        source: OmniError,
+    },
     /// The map has no room.
     #[error("{0} texels make no map; use 4096 to 268435456")]
     Texels(u32),
 }
 
-/// Depth to which an infinite view is scored, in metres.
-const HORIZON_METRES: f64 = 1e5;
-
-/// Direction towards the light in camera space, degrees.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Direction {
-    elevation_degrees: f64,
-    azimuth_degrees: f64,
+/// What is scored: a view, a size of map, a density of samples.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Survey {
+    /// The view.
+    pub view: View,
+    /// Side of a square map of all texels.
+    pub side: u32,
+    /// Focus distance in metres.
+    pub focus_metres: f64,
+    /// Sample receivers for each light.
+    pub samples: usize,
 }
 
-impl Direction {
-    fn unit(&self) -> DVec3 {
-        let (elevation, azimuth) = (self.elevation_degrees.to_radians(), self.azimuth_degrees.to_radians());
-        let level = elevation.cos();
-        DVec3::new(level * azimuth.sin(), elevation.sin(), -level * azimuth.cos())
-    }
-
-    /// Where the light stands to the view: general (45 degrees and higher), dueling (in or behind the view), border
-    /// (just outside), side (low, from elsewhere).
-    fn class(&self, view: &View) -> &'static str {
-        let unit = self.unit();
-        let (x, y) = (unit.x / unit.z.abs(), unit.y / unit.z.abs());
-        let inside = x > view.left && x < view.right && y > view.bottom && y < view.top;
-        match (inside, self.elevation_degrees) {
-            (true, _) => "dueling",
-            (_, elevation) if elevation >= 45.0 => "general",
-            (_, elevation) if elevation >= 30.0 && unit.x.abs() < 1e-9 => "border",
-            _ => "side",
-        }
-    }
+/// One case under one light.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// Name of the case.
+    pub case: String,
+    /// Its technique.
+    pub technique: &'static str,
+    /// The configuration that the plan took.
+    pub configuration: &'static str,
+    /// Elevation of the light in degrees.
+    pub elevation_deg: f64,
+    /// Azimuth of the light in degrees.
+    pub azimuth_deg: f64,
+    /// Texels of the map.
+    pub texels: u64,
+    /// The figures.
+    #[serde(flatten)]
+    pub figures: Figures,
+    /// p95 over the smallest possible.
+    pub p95_per_bound: f64,
+    /// Samples without a facet or outside its window.
+    pub unassigned: usize,
+    /// Samples in several facets.
+    pub multiply_assigned: usize,
+    /// Where the light stands.
+    #[serde(skip)]
+    pub class: Class,
 }
 
-fn parse_direction(text: &str) -> Result<Direction, String> {
-    let numbers: Option<Vec<f64>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
-    match numbers.as_deref() {
-        Some([elevation, azimuth]) if elevation.is_finite() && azimuth.is_finite() => {
-            Ok(Direction { elevation_degrees: *elevation, azimuth_degrees: *azimuth })
-        }
-        _ => Err("write elevation,azimuth in degrees, such as 45,180".into()),
-    }
-}
-
-/// The grid of metrics: eight elevations, five azimuths, the zenith once.
-fn light_grid() -> Vec<Direction> {
-    let mut grid = Vec::new();
-    for elevation_degrees in [5.0, 15.0, 25.0, 35.0, 45.0, 60.0, 75.0] {
-        for azimuth_degrees in [0.0, 45.0, 90.0, 135.0, 180.0] {
-            grid.push(Direction { elevation_degrees, azimuth_degrees });
-        }
-    }
-    grid.push(Direction { elevation_degrees: 90.0, azimuth_degrees: 0.0 });
-    grid
+/// One configuration under one lamp.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OmniRow {
+    /// What was measured.
+    pub place: Place,
+    /// The figures.
+    pub measured: Measured,
 }
 
 #[derive(Debug, Serialize)]
-struct Report {
-    rows: Vec<Row>,
+struct Report<'a> {
+    rows: &'a [Row],
 }
 
-#[derive(Debug, Serialize)]
-struct Row {
-    case: String,
-    technique: &'static str,
-    configuration: &'static str,
-    elevation_deg: f64,
-    azimuth_deg: f64,
-    texels: u64,
-    median: f64,
-    p95: f64,
-    p99: f64,
-    max: f64,
-    geometric_p95: f64,
-    beam_utilisation: f64,
-    unassigned: usize,
-    multiply_assigned: usize,
-    #[serde(skip)]
-    class: &'static str,
-    #[serde(skip)]
-    p95_per_bound: f64,
+impl Survey {
+    /// The one that the reference was measured in.
+    ///
+    /// # Errors
+    /// None that can be met.
+    pub fn reference(samples: usize) -> Result<Self, FootprintError> {
+        let view = level_view(60.0, 0.2, 1000.0, (1080, 1080))?;
+        Ok(Self { view, side: 2048, focus_metres: 10.0, samples })
+    }
+
+    /// Depth to which is scored.
+    pub fn far_metres(&self) -> f64 {
+        self.view.far_metres.min(HORIZON_METRES)
+    }
+
+    /// The built-in directional cases.
+    ///
+    /// # Errors
+    /// When a declaration is wrong.
+    pub fn cases(&self) -> Result<Vec<BuiltIn>, FootprintError> {
+        cases::directional(self.side, self.far_metres(), self.view.near_metres, self.focus_metres).map_err(
+            |errors| {
+                let texts: Vec<String> = errors.iter().map(ToString::to_string).collect();
+                FootprintError::Declaration(texts.join("\n"))
+            },
+        )
+    }
+
+    /// Scores a case under directional lights.
+    ///
+    /// # Errors
+    /// When a light has no plan.
+    pub fn rows(&self, built: &BuiltIn, lights: &[Direction]) -> Result<Vec<Row>, FootprintError> {
+        lights.par_iter().map(|direction| self.row(built, direction)).collect()
+    }
+
+    fn row(&self, built: &BuiltIn, direction: &Direction) -> Result<Row, FootprintError> {
+        let BuiltIn { name, case, .. } = built;
+        let toward = self.view.camera_from_world.transpose() * direction.unit();
+        let light = Light::Directional { toward_light_world: toward };
+        let far = self.far_metres().min(case.shadow_distance_metres.unwrap_or(f64::INFINITY));
+        let Measured { configuration, figures, unassigned, multiply_assigned, .. } =
+            measure(case, &self.view, &light, far, self.samples).map_err(|source| FootprintError::Plan {
+                case: name.clone(),
+                elevation: direction.elevation_degrees,
+                azimuth: direction.azimuth_degrees,
+                source,
+            })?;
+        let texels = u64::from(case.map.width) * u64::from(case.map.height);
+        Ok(Row {
+            case: name.clone(),
+            technique: case.technique.name,
+            configuration,
+            elevation_deg: direction.elevation_degrees,
+            azimuth_deg: direction.azimuth_degrees,
+            texels,
+            figures,
+            p95_per_bound: figures.p95 / footprint::bound(&self.view, toward, texels as f64, far),
+            unassigned,
+            multiply_assigned,
+            class: direction.class(&self.view),
+        })
+    }
+
+    /// Scores every place of the omni table.
+    ///
+    /// # Errors
+    /// When a lamp has no plan.
+    pub fn omni_rows(&self) -> Result<Vec<OmniRow>, FootprintError> {
+        let row = |place: &Place| {
+            let measured = place
+                .measure(&self.view, self.side, self.focus_metres, self.far_metres(), self.samples)
+                .map_err(|source| FootprintError::Omni {
+                    configuration: place.configuration,
+                    position: place.position,
+                    source,
+                })?;
+            Ok(OmniRow { place: *place, measured })
+        };
+        PLACES.par_iter().map(row).collect()
+    }
 }
 
-/// Runs the command.
+/// Medians of the rows of a class of lights; `None` where there are none.
+pub fn medians(rows: &[Row], class: Class) -> Option<Figures> {
+    let of_class: Vec<Figures> =
+        rows.iter().filter(|row| row.class == class).map(|row| row.figures).collect();
+    (!of_class.is_empty()).then(|| Figures::medians(&of_class))
+}
+
+/// Runs the command; returns its tables.
 ///
 /// # Errors
 /// A [`FootprintError`] that names the file, case or argument at fault.
-pub fn run(arguments: &FootprintArguments) -> Result<(), FootprintError> {
-    let width = ((f64::from(arguments.lines) * arguments.aspect).round().max(1.0)) as u32;
-    let view = View::perspective(
-        DVec3::ZERO,
-        DVec3::NEG_Z,
-        DVec3::Y,
-        arguments.fov_y.to_radians(),
-        arguments.near,
-        arguments.far,
-        (width, arguments.lines),
-    )?;
-    let grid = light_grid();
-    let lights = if arguments.lights.is_empty() { &grid } else { &arguments.lights };
-    let mut rows = Vec::new();
-    for (name, case) in cases(arguments)? {
-        for light in lights {
-            rows.push(row(&name, &case, &view, light, arguments)?);
-        }
+pub fn run(arguments: &FootprintArguments) -> Result<String, FootprintError> {
+    let side = f64::from(arguments.texels).sqrt().floor() as u32;
+    if !(64..=16384).contains(&side) {
+        return Err(FootprintError::Texels(arguments.texels));
     }
-    print!("{}", table(&rows, !arguments.lights.is_empty()));
+    let width = ((f64::from(arguments.lines) * arguments.aspect).round().max(1.0)) as u32;
+    let size = (width, arguments.lines);
+    let view = level_view(arguments.fov_y, arguments.near, arguments.far, size)?;
+    let survey = Survey { view, side, focus_metres: arguments.focus, samples: arguments.samples };
+    let cases = if arguments.cases.is_empty() {
+        let named = |built: &BuiltIn| {
+            arguments.only.is_empty() || arguments.only.iter().any(|part| built.name.contains(part))
+        };
+        survey.cases()?.into_iter().filter(named).collect()
+    } else {
+        declared(arguments, side)?
+    };
+
+    let grid = light_grid();
+    let each = !arguments.lights.is_empty();
+    let lights = if each { &arguments.lights } else { &grid };
+    let mut text = String::new();
+    let mut rows = Vec::new();
+    for built in &cases {
+        let of_case = survey.rows(built, lights)?;
+        text += &tables::directional(built, &of_case, each, text.is_empty());
+        rows.extend(of_case);
+    }
+    if !each {
+        text += &tables::against_splits(&rows);
+    }
+    if !each && arguments.cases.is_empty() && arguments.only.iter().all(|part| "omni".contains(part)) {
+        text += &tables::omni(&survey.omni_rows()?);
+    }
     if let Some(path) = &arguments.json {
-        let report = Report { rows };
-        let text = serde_json::to_string_pretty(&report).map_err(std::io::Error::from);
-        let written = text.and_then(|text| std::fs::write(path, text + "\n"));
+        let report = serde_json::to_string_pretty(&Report { rows: &rows }).map_err(std::io::Error::from);
+        let written = report.and_then(|text| std::fs::write(path, text + "\n"));
         written.map_err(|source| FootprintError::File { path: path.clone(), source })?;
     }
-    Ok(())
+    Ok(text)
 }
 
-/// The cases to score, all with the map size asked for.
-fn cases(arguments: &FootprintArguments) -> Result<Vec<(String, LightCase)>, FootprintError> {
+/// A level view along -z from the origin.
+fn level_view(
+    fov_y_degrees: f64,
+    near_metres: f64,
+    far_metres: f64,
+    size_pixels: (u32, u32),
+) -> Result<View, FootprintError> {
+    let (eye, target, fov_y) = (DVec3::ZERO, DVec3::NEG_Z, fov_y_degrees.to_radians());
+    Ok(View::perspective(eye, target, DVec3::Y, fov_y, near_metres, far_metres, size_pixels)?)
+}
+
+/// The cases of declaration files, with a square map, or the nearest to it that has no more texels.
+fn declared(arguments: &FootprintArguments, side: u32) -> Result<Vec<BuiltIn>, FootprintError> {
     let mut cases = Vec::new();
     for path in &arguments.cases {
         let text = std::fs::read_to_string(path)
             .map_err(|source| FootprintError::File { path: path.clone(), source })?;
         let parsed = cssm_codegen::dsl::parse_file(&path.display().to_string(), &text)
             .map_err(|report| FootprintError::Declaration(report.render()))?;
-        cases.extend(parsed.into_iter().map(|case| (case.name.clone(), case)));
-    }
-    if arguments.cases.is_empty() {
-        cases = built_in_cases(arguments.far.min(HORIZON_METRES), arguments.focus)?;
-    }
-
-    // A square map, or the nearest to it that has no more texels.
-    let side = f64::from(arguments.texels).sqrt().floor() as u32;
-    if !(64..=16384).contains(&side) {
-        return Err(FootprintError::Texels(arguments.texels));
-    }
-    for (_, case) in &mut cases {
-        (case.map.width, case.map.height) = (side, arguments.texels / side);
+        cases.extend(parsed.into_iter().map(|mut case| {
+            (case.map.width, case.map.height) = (side, arguments.texels / side);
+            BuiltIn { name: case.name.clone(), case, reference: Reference::NONE }
+        }));
     }
     Ok(cases)
-}
-
-/// Techniques that need finite receivers are bounded by `far_metres`; those with a focus have it at `focus_metres`.
-fn built_in_cases(far_metres: f64, focus_metres: f64) -> Result<Vec<(String, LightCase)>, FootprintError> {
-    let split = |scheme: Word| {
-        let arguments = [("splits", Value::Count(4)), ("scheme", Value::Word(scheme))];
-        LightCase::builder("Split").technique(Word::with("parallel_split", arguments))
-    };
-    let practical = Word::with("practical", [("lambda", Value::Number(0.5))]);
-    let focused = ("focus", Value::Number(focus_metres));
-    let perspective = Word::with("perspective", [focused.clone(), ("share", Value::Number(0.5))]);
-    let camera_space =
-        |name: &str, configuration: Word| LightCase::builder(name).configuration_words(vec![configuration]);
-    let four_plane =
-        |push| Word::with("four_plane", [focused.clone(), ("push", Value::Word(Word::plain(push)))]);
-    let bounded = |builder: LightCaseBuilder| builder.shadow_distance_metres(far_metres);
-    let builders = [
-        ("standard", bounded(LightCase::builder("Standard").technique(Word::plain("standard")))),
-        ("pssm4_log", bounded(split(Word::plain("logarithmic")))),
-        ("pssm4_practical", bounded(split(practical))),
-        ("one_plane", camera_space("OnePlane", Word::plain("one_plane")).distribution(perspective)),
-        ("one_plane_8", camera_space("Bands", Word::plain("one_plane")).bands(8, HORIZON_METRES)),
-        ("four_plane", camera_space("FourPlane", four_plane("t"))),
-        ("four_plane_camera", camera_space("Straight", four_plane("camera"))),
-        ("face_columns_8", LightCase::builder("Faces").bands(8, HORIZON_METRES)),
-    ];
-    let build = |(name, builder): (&str, LightCaseBuilder)| {
-        let case = builder.build().map_err(|errors| {
-            FootprintError::Declaration(errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))
-        })?;
-        Ok((name.to_string(), case))
-    };
-    builders.into_iter().map(build).collect()
-}
-
-fn row(
-    name: &str,
-    case: &LightCase,
-    view: &View,
-    direction: &Direction,
-    arguments: &FootprintArguments,
-) -> Result<Row, FootprintError> {
-    let toward = direction.unit();
-    let light = Light::Directional { toward_light_world: toward };
-    let plan = plan(case, view, &light, &SceneBounds::default()).map_err(|source| FootprintError::Plan {
-        case: name.to_string(),
-        elevation: direction.elevation_degrees,
-        azimuth: direction.azimuth_degrees,
-        source,
-    })?;
-    let far = view.far_metres.min(case.shadow_distance_metres.unwrap_or(f64::INFINITY)).min(HORIZON_METRES);
-    let VolumeScore {
-        median_pixels,
-        p95_pixels,
-        p99_pixels,
-        max_pixels,
-        geometric_p95_pixels,
-        beam_utilisation,
-        unassigned,
-        multiply_assigned,
-    } = footprint::score_volume(&plan, view, far, arguments.samples);
-    let texels = u64::from(case.map.width) * u64::from(case.map.height);
-    Ok(Row {
-        case: name.to_string(),
-        technique: case.technique.name,
-        configuration: plan.configuration,
-        elevation_deg: direction.elevation_degrees,
-        azimuth_deg: direction.azimuth_degrees,
-        texels,
-        median: median_pixels,
-        p95: p95_pixels,
-        p99: p99_pixels,
-        max: max_pixels,
-        geometric_p95: geometric_p95_pixels,
-        beam_utilisation,
-        unassigned,
-        multiply_assigned,
-        class: direction.class(view),
-        p95_per_bound: p95_pixels / footprint::bound(view, toward, texels as f64, far),
-    })
-}
-
-/// One line for each light, or medians over each class of lights.
-fn table(rows: &[Row], each: bool) -> String {
-    let head =
-        ["median", "p95", "p99", "max", "geo95", "util", "p95/bound"].map(|name| format!("{name:>10}"));
-    let mut text = format!("{:<18} {:<16}{}\n", "case", "light (el,az)", head.concat());
-    let line = |case: &str, light: &str, numbers: [f64; 7]| {
-        let numbers = numbers.map(|number| format!("{number:>10.2}"));
-        format!("{case:<18} {light:<16}{}\n", numbers.concat())
-    };
-    let numbers = |row: &Row| {
-        [row.median, row.p95, row.p99, row.max, row.geometric_p95, row.beam_utilisation, row.p95_per_bound]
-    };
-    if each {
-        for row in rows {
-            let light = format!("{},{}", row.elevation_deg, row.azimuth_deg);
-            text += &line(&row.case, &light, numbers(row));
-        }
-        return text;
-    }
-    let mut names: Vec<&str> = rows.iter().map(|row| row.case.as_str()).collect();
-    names.dedup();
-    for name in names {
-        for class in ["general", "border", "dueling", "side"] {
-            let of_class: Vec<[f64; 7]> =
-                rows.iter().filter(|row| row.case == name && row.class == class).map(numbers).collect();
-            let medians = std::array::from_fn(|column| {
-                let mut values: Vec<f64> = of_class.iter().map(|numbers| numbers[column]).collect();
-                values.sort_by(f64::total_cmp);
-                footprint::quantile(&values, 0.5)
-            });
-            text += &line(name, &format!("{class} ({})", of_class.len()), medians);
-        }
-        let unassigned: usize = rows.iter().filter(|row| row.case == name).map(|row| row.unassigned).sum();
-        let multiple: usize =
-            rows.iter().filter(|row| row.case == name).map(|row| row.multiply_assigned).sum();
-        text += &format!("{name:<18} receivers in no facet: {unassigned}, in several: {multiple}\n");
-    }
-
-    // Compare with logarithmic splits light by light.
-    let p95 = |name: &str| rows.iter().filter(|row| row.case == name).map(|row| row.p95).collect::<Vec<_>>();
-    let (splits, faces) = (p95("pssm4_log"), p95("face_columns_8"));
-    if splits.len() == faces.len() && !faces.is_empty() {
-        let worst = splits.iter().zip(&faces).map(|(split, face)| split / face).fold(f64::INFINITY, f64::min);
-        text += &format!("pssm4_log p95 / face_columns_8 p95, worst light: {worst:.2}\n");
-    }
-    text
 }

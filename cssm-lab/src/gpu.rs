@@ -13,12 +13,12 @@ mod surface;
 
 pub use geometry::SceneBuffers;
 pub use runner::{CaseRunner, ResolveMethod};
-pub use stopwatch::{PassTimes, Stopwatch};
+pub use stopwatch::{PassTimes, RecordPass, SequenceTimes, Stopwatch, Writes};
 pub use surface::Surface;
 
 use cssm_core::LightCase;
 use cssm_core::table::CaseTable;
-use cssm_runtime::{ServiceError, features_and_limits};
+use cssm_runtime::{ClusterError, ServiceError, features_and_limits};
 
 /// A device with what a list of cases needs.
 #[derive(Debug)]
@@ -76,6 +76,9 @@ pub enum GpuError {
     /// The scene holds more vertices than one buffer.
     #[error("the scene's geometry does not fit one buffer; thin it out")]
     SceneTooLarge,
+    /// A mesh's triangles cannot be put into clusters.
+    #[error(transparent)]
+    Clusters(#[from] ClusterError),
     /// The service refused.
     #[error(transparent)]
     Service(#[from] ServiceError),
@@ -128,13 +131,21 @@ impl Gpu {
         format!("{name} ({backend:?}, {driver} {driver_info})")
     }
 
+    /// Whether the adapter is a program that runs on the CPU.
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == wgpu::DeviceType::Cpu
+    }
+
     /// Whether passes can be timed on the device.
     pub fn has_timestamps(&self) -> bool {
         self.device.features().contains(wgpu::Features::TIMESTAMP_QUERY)
     }
 
     /// Runs `create`; whatever the device refuses inside becomes an error.
-    fn checked<T>(&self, what: &'static str, create: impl FnOnce() -> T) -> Result<T, GpuError> {
+    ///
+    /// # Errors
+    /// [`GpuError::Refused`] with the device's words.
+    pub fn checked<T>(&self, what: &'static str, create: impl FnOnce() -> T) -> Result<T, GpuError> {
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let created = create();
@@ -146,7 +157,10 @@ impl Gpu {
     }
 
     /// A texture of the size of an image.
-    fn texture(
+    ///
+    /// # Errors
+    /// When the device refuses it.
+    pub fn texture(
         &self,
         (width, height): (u32, u32),
         format: wgpu::TextureFormat,

@@ -16,6 +16,7 @@
 
 pub mod arguments;
 pub mod case_file;
+pub mod catalogue;
 pub mod command_line;
 pub mod contact_sheet;
 pub mod convergence;
@@ -30,6 +31,8 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod score;
+pub mod sight;
 pub mod stage;
 pub mod timing;
 pub mod truth;
+pub mod twin;

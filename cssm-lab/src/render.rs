@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use cssm_core::glam::DVec3;
 use cssm_core::{Light, View};
 
-use crate::arguments::{parse_depth, parse_image_size, parse_light, parse_point, parse_size};
+use crate::arguments::{
+    LIGHT_FORMS, parse_depth, parse_image_size, parse_light, parse_point, parse_size,
+};
 use crate::case_file::{load_case, with_map_size};
 use crate::error::LabError;
 use crate::exr_file::FrameLayers;
@@ -48,9 +50,13 @@ pub struct RenderArguments {
     /// Size of the image in pixels
     #[arg(long, value_name = "WxH", value_parser = parse_image_size, default_value = "640x360")]
     size: (u32, u32),
-    /// Direction in which the light travels, world axes, y up; without it, that of the scene's first view
-    #[arg(long, value_name = "directional:X,Y,Z", value_parser = parse_light)]
+    /// The light: direction of travel, or position, direction, half angle and range, world axes, y up, metres; without
+    /// it, that of the scene's first view
+    #[arg(long, value_name = LIGHT_FORMS, value_parser = parse_light)]
     light: Option<Light>,
+    /// One of the scene's lamps by name, with its view, instead of a light
+    #[arg(long, value_name = "NAME", conflicts_with = "light")]
+    lamp: Option<String>,
     /// Size of the map in texels instead of the declared one
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     map: Option<(u32, u32)>,
@@ -80,7 +86,8 @@ pub fn run(arguments: &RenderArguments, progress: Progress) -> Result<Report, La
         case = with_map_size(case, size)?;
     }
     let scene = Scene::load(&arguments.scene)?;
-    let spot = scene.views.first();
+    let lamp = arguments.lamp.as_ref().map(|name| scene.lamp(name)).transpose()?;
+    let spot = lamp.map(|lamp| &lamp.viewpoint).or(scene.views.first());
     let eye = arguments.eye.or(spot.map(|spot| spot.eye_world)).ok_or(LabError::NoView)?;
     let target = arguments.target.or(spot.map(|spot| spot.target_world)).ok_or(LabError::NoView)?;
     let view = View::perspective(
@@ -92,10 +99,11 @@ pub fn run(arguments: &RenderArguments, progress: Progress) -> Result<Report, La
         arguments.far,
         arguments.size,
     )?;
-    let light = match (arguments.light, spot) {
-        (Some(light), _) => light,
-        (None, Some(spot)) => Light::directional_travelling(spot.light_travels)?,
-        (None, None) => return Err(LabError::NoView),
+    let light = match (arguments.light, lamp, spot) {
+        (Some(light), ..) => light,
+        (None, Some(lamp), _) => lamp.light,
+        (None, None, Some(spot)) => Light::directional_travelling(spot.light_travels)?,
+        (None, None, None) => return Err(LabError::NoView),
     };
     create_folder(&arguments.out)?;
 
@@ -128,7 +136,7 @@ pub fn write_results(
     report: &Report,
 ) -> Result<(), LabError> {
     let (stage, frame) = (attempt.stage(), &attempt.stage().frame);
-    shaded_picture(stage.scene, frame, &outcome.visibility).write_png(&folder.join("shaded.png"))?;
+    shaded_picture(stage.scene, frame, &outcome.visibility, &stage.light).write_png(&folder.join("shaded.png"))?;
     map_picture(&attempt.plan, &attempt.map()?).write_png(&folder.join("map.png"))?;
     error_picture(frame.width, frame.height, &outcome.verdicts, &outcome.score)
         .write_png(&folder.join("error.png"))?;

@@ -78,8 +78,47 @@ pub struct ViewReport {
     pub far: Option<f64>,
     /// Width and height in pixels.
     pub size: (u32, u32),
-    /// Direction in which the light travels, world axes.
-    pub light: [f64; 3],
+    /// The light.
+    pub light: LightReport,
+}
+
+/// The light of a report, world axes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct LightReport {
+    /// Its kind.
+    pub kind: &'static str,
+    /// Direction in which it travels; absent for an omni light.
+    pub travels: Option<[f64; 3]>,
+    /// Where it stands, metres; absent for a directional light.
+    pub position: Option<[f64; 3]>,
+    /// Angle between axis and edge of a spot light's cone.
+    pub half_angle_degrees: Option<f64>,
+    /// Distance to which it reaches, metres; absent without a limit.
+    pub range: Option<f64>,
+}
+
+impl LightReport {
+    /// What a report says of a light.
+    pub fn of(light: &Light) -> Self {
+        let kind = light.kind().name();
+        let none = Self { kind, travels: None, position: None, half_angle_degrees: None, range: None };
+        let finite = |range: f64| Some(range).filter(|range| range.is_finite());
+        match *light {
+            Light::Directional { toward_light_world } => {
+                Self { travels: Some((-toward_light_world).to_array()), ..none }
+            }
+            Light::Omni { position_world, range_metres } => {
+                Self { position: Some(position_world.to_array()), range: finite(range_metres), ..none }
+            }
+            Light::Spot { position_world, direction_world, half_angle_radians, range_metres } => Self {
+                travels: Some(direction_world.to_array()),
+                position: Some(position_world.to_array()),
+                half_angle_degrees: Some(half_angle_radians.to_degrees()),
+                range: finite(range_metres),
+                ..none
+            },
+        }
+    }
 }
 
 /// The map of a report.
@@ -122,7 +161,6 @@ impl Report {
     pub fn new(attempt: &Attempt<'_>, outcome: &Outcome, time: Option<Timing>) -> Self {
         let (stage, plan, statistics) = (attempt.stage(), &attempt.plan, attempt.statistics());
         let view = &stage.view;
-        let Light::Directional { toward_light_world } = stage.light;
         let texels = u64::from(plan.map_size_texels.0) * u64::from(plan.map_size_texels.1);
         let field = 2.0 * libm::atan(0.5 * (view.top - view.bottom));
         Self {
@@ -139,7 +177,7 @@ impl Report {
                 near: view.near_metres,
                 far: Some(view.far_metres).filter(|far| far.is_finite()),
                 size: view.size_pixels,
-                light: (-toward_light_world).to_array(),
+                light: LightReport::of(&stage.light),
             },
             resolve: match attempt.method {
                 ResolveMethod::Function => "function",

@@ -10,6 +10,7 @@ mod forest;
 mod gltf_file;
 mod gltf_mask;
 mod gltf_read;
+mod lamp;
 mod mask;
 mod palm;
 mod pavilion;
@@ -18,6 +19,7 @@ mod random;
 mod solid;
 
 pub use gltf_file::SceneFileError;
+pub use lamp::Lamp;
 pub use mask::AlphaMask;
 
 use std::path::Path;
@@ -38,6 +40,8 @@ pub struct Scene {
     pub instances: Vec<Instance>,
     /// Views worth looking at; the first is the one a demo shows.
     pub views: Vec<Viewpoint>,
+    /// Local lights worth looking at; none in scenes from files.
+    pub lamps: Vec<Lamp>,
 }
 
 /// A triangle mesh.
@@ -128,6 +132,19 @@ impl Scene {
     /// A square kilometre of hills under thousands of trees, whose leaves are cut out by alpha masks.
     pub fn forest() -> Self {
         forest::scene()
+    }
+
+    /// The lamp of a name.
+    ///
+    /// # Errors
+    /// [`LabError::NoSuchLamp`] with the names that there are.
+    pub fn lamp(&self, name: &str) -> Result<&Lamp, LabError> {
+        let no_such = || LabError::NoSuchLamp {
+            scene: self.name.clone(),
+            name: name.to_owned(),
+            known: self.lamps.iter().map(|lamp| lamp.name).collect(),
+        };
+        self.lamps.iter().find(|lamp| lamp.name == name).ok_or_else(no_such)
     }
 
     /// Whether any of its instances has holes.

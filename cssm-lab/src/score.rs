@@ -4,8 +4,8 @@
 //!   pixels that face the light ([`FACING_COSINE`]), each split by place: in the *edge band* around true shadow
 //!   edges, where a map of finite size must err; in the *crease band* around depth or normal discontinuities,
 //!   silhouettes, changes of facing and the image's border; *interior* otherwise. Interior errors are bugs.
-//! * **grazing** pixels, which face away or almost so, are counted apart; light-facing surfaces at 1 to 3 degrees
-//!   ([`SHALLOW_COSINES`]) are judged once more by themselves.
+//! * **grazing** pixels, which face away or almost so, are counted apart, and so are those that the light's range or
+//!   cone leaves out; light-facing surfaces at 1 to 3 degrees ([`SHALLOW_COSINES`]) are judged once more by themselves.
 //! * **edge displacement**, from the map's edges to the nearest true edge and back, in pixels and in local surface
 //!   footprints.
 //! * **seam**: edge displacement in a strip along facet boundaries against elsewhere.
@@ -29,12 +29,10 @@ pub use seam::Seam;
 
 use serde::Serialize;
 
-use crate::truth::Frame;
+pub use crate::truth::FACING_COSINE;
+use crate::truth::{Frame, Visible};
 use bands::Bands;
 use edges::{Lattice, Marks};
-
-/// Pixels count as facing the light above this cosine of normal and light.
-pub const FACING_COSINE: f64 = 0.05;
 
 /// Cosines of surfaces that rise 1 to 3 degrees out of the light's direction.
 pub const SHALLOW_COSINES: std::ops::Range<f64> = 0.017_452_406..0.052_335_956;
@@ -67,8 +65,10 @@ pub struct Score {
     pub visible_pixels: u64,
     /// Visible pixels that face the light; the shares below are shares of these.
     pub facing_pixels: u64,
-    /// Visible pixels that do not.
+    /// Visible pixels that do not, although the light reaches them.
     pub grazing_pixels: u64,
+    /// Visible pixels that the light's range or cone leaves out.
+    pub unreached_pixels: u64,
     /// Light-facing pixels in true shadow, as a share.
     pub shadowed: f64,
     /// Places on true shadow edges.
@@ -134,9 +134,9 @@ pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
                 place,
                 truth_lit: pixel.lit,
                 map_lit: judged.visibility[index] >= LIT_VISIBILITY,
-                facing: pixel.cosine > FACING_COSINE,
+                facing: pixel.faces_light(),
             };
-            tally.count(&verdict, pixel.cosine);
+            tally.count(&verdict, pixel);
             Some(verdict)
         })
         .collect();
@@ -167,7 +167,7 @@ pub struct Verdict {
     pub truth_lit: bool,
     /// What the map says.
     pub map_lit: bool,
-    /// Whether it faces the light.
+    /// Whether it faces the light, and the light reaches it.
     pub facing: bool,
 }
 
@@ -182,6 +182,7 @@ impl Verdict {
 #[derive(Default)]
 struct Tally {
     visible: u64,
+    unreached: u64,
     facing: u64,
     shadowed: u64,
     interior: u64,
@@ -219,9 +220,13 @@ impl AsideTally {
 }
 
 impl Tally {
-    fn count(&mut self, verdict: &Verdict, cosine: f64) {
+    fn count(&mut self, verdict: &Verdict, pixel: &Visible) {
         self.visible += 1;
-        if SHALLOW_COSINES.contains(&cosine) {
+        if !pixel.reached {
+            self.unreached += 1;
+            return;
+        }
+        if SHALLOW_COSINES.contains(&pixel.cosine) {
             self.shallow.count(verdict);
         }
         if !verdict.facing {
@@ -244,7 +249,8 @@ impl Tally {
         Score {
             visible_pixels: self.visible,
             facing_pixels: self.facing,
-            grazing_pixels: self.visible - self.facing,
+            grazing_pixels: self.visible - self.facing - self.unreached,
+            unreached_pixels: self.unreached,
             shadowed: share(self.shadowed),
             true_edge_pixels: true_edges as u64,
             interior_area: share(self.interior),

@@ -1,49 +1,37 @@
-//! A stage: one view of a scene under one light, traced once and uploaded, on which cases are tried.
+//! A stage: a sight, uploaded, on which cases are tried as engines run them.
 
+use std::ops::Deref;
 use std::time::Instant;
 
 use cssm_core::case::Casters;
-use cssm_core::{Light, LightCase, SceneBounds, ShadowPlan, View, plan};
+use cssm_core::{Light, LightCase, ShadowPlan, View, plan};
 use cssm_runtime::{FrameStatistics, PreparedFrame};
 
+use crate::convergence::{Convergence, converge};
 use crate::error::LabError;
 use crate::gpu::{CaseRunner, Gpu, PassTimes, ResolveMethod, SceneBuffers, Stopwatch, Surface};
-use crate::progress::Progress;
 use crate::scene::Scene;
-use crate::score::footprints::{Assignment, FrameFootprint};
 use crate::score::statistics::quantile;
-use crate::score::{FineEdges, Judged, Score, Verdict, score};
-use crate::truth::{Frame, Tracer};
+pub use crate::sight::{Outcome, Sight, StageOptions};
+use crate::truth::Tracer;
 
 /// Plans are timed this often; the median counts.
 const PLAN_RUNS: usize = 9;
 
-/// One view of a scene under one light.
+/// A [`Sight`] on a device.
 pub struct Stage<'a> {
     gpu: &'a Gpu,
-    /// The scene.
-    pub scene: &'a Scene,
-    /// The view.
-    pub view: View,
-    /// The light.
-    pub light: Light,
-    /// What planning is told of the scene.
-    pub bounds: SceneBounds,
-    /// The truth.
-    pub frame: Frame,
-    /// True edges finer than pixels, if they were asked for.
-    pub fine: Option<FineEdges>,
+    sight: Sight<'a>,
     buffers: SceneBuffers,
     surface: Surface,
 }
 
-/// How a stage is set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct StageOptions {
-    /// Traces true edges with four times four samples a pixel, for surfaces thinner than a pixel.
-    pub supersample: bool,
-    /// Whether progress is shown.
-    pub progress: Progress,
+impl<'a> Deref for Stage<'a> {
+    type Target = Sight<'a>;
+
+    fn deref(&self) -> &Sight<'a> {
+        &self.sight
+    }
 }
 
 impl<'a> Stage<'a> {
@@ -59,29 +47,10 @@ impl<'a> Stage<'a> {
         light: Light,
         options: StageOptions,
     ) -> Result<Self, LabError> {
-        let rows = u64::from(view.size_pixels.1);
-        let bar = options.progress.bar(rows, "tracing pixels");
-        let frame = Frame::trace(tracer, &view, &light, &|rows| bar.inc(rows));
-        bar.finish_and_clear();
-        let fine = if options.supersample {
-            let bar = options.progress.bar(4 * rows, "tracing 4 x 4 samples a pixel");
-            let fine = FineEdges::trace(tracer, &view, &light, &|rows| bar.inc(rows))?;
-            bar.finish_and_clear();
-            Some(fine)
-        } else {
-            None
-        };
-        Ok(Self {
-            gpu,
-            scene,
-            view,
-            light,
-            bounds: SceneBounds { receivers: scene.bounds_world() },
-            buffers: SceneBuffers::new(gpu, scene)?,
-            surface: Surface::new(gpu, &view, &frame)?,
-            frame,
-            fine,
-        })
+        let sight = Sight::trace(scene, tracer, view, light, options)?;
+        let buffers = SceneBuffers::new(gpu, scene)?;
+        let surface = Surface::new(gpu, &view, &sight.frame)?;
+        Ok(Self { gpu, sight, buffers, surface })
     }
 
     /// Plans, generates and prepares a case.
@@ -143,6 +112,19 @@ impl<'a> Stage<'a> {
     }
 }
 
+/// Tries a case on a stage with square maps of several sizes.
+///
+/// # Errors
+/// [`LabError::NothingJudged`] when no level could be judged; else whatever planning or the device says.
+pub fn convergence(
+    stage: &Stage<'_>,
+    case: &LightCase,
+    method: ResolveMethod,
+    sides: &[u32],
+) -> Result<Convergence, LabError> {
+    converge(case, sides, |case| Ok(stage.attempt(case, method)?.outcome()?.score))
+}
+
 /// A case that is ready to run on a stage.
 pub struct Attempt<'a> {
     stage: &'a Stage<'a>,
@@ -160,39 +142,15 @@ pub struct Attempt<'a> {
     prepared: PreparedFrame,
 }
 
-/// What a case made of a stage.
-#[derive(Debug, Clone)]
-pub struct Outcome {
-    /// Visibility of each pixel.
-    pub visibility: Vec<f32>,
-    /// Facets, footprints and use of the map.
-    pub assignment: Assignment,
-    /// Footprints over the visible pixels.
-    pub footprint: FrameFootprint,
-    /// The score.
-    pub score: Score,
-    /// What was found at each pixel.
-    pub verdicts: Vec<Option<Verdict>>,
-}
-
 impl Attempt<'_> {
     /// Captures, resolves and judges.
     ///
     /// # Errors
     /// What the device says.
     pub fn outcome(&self) -> Result<Outcome, LabError> {
-        let Stage { gpu, view, frame, fine, surface, .. } = self.stage;
+        let Stage { gpu, sight, surface, .. } = self.stage;
         let visibility = self.runner.visibility(gpu, &self.prepared, surface)?;
-        let assignment = Assignment::new(&self.plan, view, frame, self.case.filter);
-        let (score, verdicts) = score(&Judged {
-            frame,
-            visibility: &visibility,
-            footprints: &assignment.footprints,
-            facets: &assignment.facets,
-            fine: fine.as_ref(),
-        });
-        let footprint = assignment.frame_footprint(frame);
-        Ok(Outcome { visibility, assignment, footprint, score, verdicts })
+        Ok(sight.judge(&self.plan, self.case.filter, visibility))
     }
 
     /// Captures and resolves once, timed.

@@ -11,6 +11,9 @@ use crate::stage::Attempt;
 /// Runs that are not counted.
 const WARM_UP_RUNS: usize = 2;
 
+/// Capture and resolve.
+const PASSES: u32 = 2;
+
 /// Shares of the runs that end the reported interval.
 const INTERVAL: (f64, f64) = (0.1, 0.9);
 
@@ -39,7 +42,8 @@ pub struct Interval {
 }
 
 impl Interval {
-    fn of(mut values: Vec<f64>) -> Self {
+    /// Interval of numbers in any order.
+    pub fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
         Self {
             median: quantile(&values, 0.5),
@@ -67,7 +71,7 @@ pub fn time_in_turns(
     let Some(first) = attempts.first() else {
         return Ok(Vec::new());
     };
-    let stopwatch = Stopwatch::new(first.stage().gpu())?;
+    let stopwatch = Stopwatch::new(first.stage().gpu(), PASSES)?;
     let mut times: Vec<Vec<PassTimes>> = vec![Vec::with_capacity(runs); attempts.len()];
     let bar = progress.bar(((WARM_UP_RUNS + runs) * attempts.len()) as u64, "timing passes");
     for run in 0..WARM_UP_RUNS + runs {

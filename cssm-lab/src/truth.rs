@@ -2,8 +2,8 @@
 //!
 //! A primary ray through the pixel's centre finds the visible surface; a second ray from there towards the light
 //! says lit or shadowed. The second ray starts on the surface itself: it skips the triangle it starts on and
-//! anything nearer than the rounding of the coordinates, and nothing else. Both rays pass through the holes of alpha
-//! masks.
+//! anything nearer than the rounding of the coordinates, and nothing else; it ends at the light, so that what stands
+//! beyond a lamp casts no shadow. Both rays pass through the holes of alpha masks.
 
 mod cutouts;
 mod tracer;
@@ -41,14 +41,28 @@ pub struct Visible {
     pub normal: DVec3,
     /// Cosine between that normal and the direction towards the light.
     pub cosine: f64,
+    /// Distance to the light, metres; infinite under a directional light.
+    pub light_metres: f64,
     /// Depth along the view axis, metres.
     pub depth: f64,
     /// Index of the instance.
     pub instance: u32,
     /// Index of the triangle in the whole scene.
     pub triangle: u32,
-    /// Whether the ray towards the light is free.
+    /// Whether the light's range and cone hold the point.
+    pub reached: bool,
+    /// Whether the light reaches the point and the ray towards it is free.
     pub lit: bool,
+}
+
+/// Surfaces face the light above this cosine of normal and light.
+pub const FACING_COSINE: f64 = 0.05;
+
+impl Visible {
+    /// Whether the light reaches the surface from the front, so that a shadow on it can be judged.
+    pub fn faces_light(&self) -> bool {
+        self.reached && self.cosine > FACING_COSINE
+    }
 }
 
 impl Frame {
@@ -56,14 +70,13 @@ impl Frame {
     pub fn trace(tracer: &Tracer, view: &View, light: &Light, progress: &(dyn Fn(u64) + Sync)) -> Self {
         let (width, height) = (view.size_pixels.0 as usize, view.size_pixels.1 as usize);
         let mut pixels = vec![None; width * height];
-        let Light::Directional { toward_light_world } = *light;
         pixels.par_chunks_mut(width * ROWS_PER_TASK).enumerate().for_each_init(
             Vec::new,
             |stack, (chunk, pixels)| {
                 for (index, pixel) in pixels.iter_mut().enumerate() {
                     let (x, y) = (index % width, chunk * ROWS_PER_TASK + index / width);
                     let ray = view.ray_world(x as f64 + 0.5, y as f64 + 0.5);
-                    *pixel = trace_pixel(tracer, view, toward_light_world, ray, stack);
+                    *pixel = trace_pixel(tracer, view, light, ray, stack);
                 }
                 progress((pixels.len() / width) as u64);
             },
@@ -85,7 +98,7 @@ impl Frame {
 fn trace_pixel(
     tracer: &Tracer,
     view: &View,
-    toward_light: DVec3,
+    light: &Light,
     ray: DVec3,
     stack: &mut Vec<u32>,
 ) -> Option<Visible> {
@@ -99,15 +112,20 @@ fn trace_pixel(
     let world = view.eye_world + position;
     let start =
         START_RELATIVE * (world.abs().max_element() + view.eye_world.abs().max_element() + hit.distance);
-    let shadowed = tracer.blocked(world, toward_light, start, hit.triangle, stack);
+    let toward_light = light.toward_world(world);
+    let light_metres = light.distance_metres(world);
+    let reached = light.reaches(world);
+    let lit = reached && !tracer.blocked(world, toward_light, start..light_metres - start, hit.triangle, stack);
     Some(Visible {
         position,
         normal,
         cosine: normal.dot(toward_light),
+        light_metres,
         depth: hit.distance,
         instance: tracer.instance(hit.triangle),
         triangle: hit.triangle,
-        lit: !shadowed,
+        reached,
+        lit,
     })
 }
 

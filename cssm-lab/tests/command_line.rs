@@ -112,7 +112,7 @@ fn wrong_arguments_say_what_to_write() {
         (case(SUN, &["--fov-y", "180"]), "180 degrees"),
         (case(SUN, &["--near", "5", "--far", "2"]), "must lie at a positive depth before the far plane"),
         (case(SUN, &["--eye", "1,2"]), "write three: x,y,z"),
-        (case(SUN, &["--light", "point:1,2,3"]), "directional:x,y,z"),
+        (case(SUN, &["--light", "point:1,2,3"]), "directional:X,Y,Z"),
         (case(SUN, &["--size", "big"]), "such as 640x360"),
         (case(SUN, &["--eye", "0,5,0", "--target", "0,0,0"]), "up vector"),
         (

@@ -79,10 +79,11 @@ fn a_right_plan_scores_well_and_wrong_ones_are_caught() {
         let mut swapped = right.clone();
         let last = swapped.facets.len() - 1;
         for near in 0..swapped.facets.len() / 2 {
-            let (one, other) = (swapped.facets[near].index, swapped.facets[last - near].index);
-            (swapped.facets[near].index, swapped.facets[last - near].index) = (other, one);
+            let cells = |index: usize| swapped.facets[index].cells.clone();
+            let (one, other) = (cells(near), cells(last - near));
+            (swapped.facets[near].cells, swapped.facets[last - near].cells) = (other, one);
         }
-        swapped.facets.sort_by_key(|facet| facet.index);
+        swapped.facets.sort_by_key(|facet| facet.first_cell());
         let swapped = score(stage, &case, swapped, ResolveMethod::Function);
         assert!(swapped.mismatch > 2.0 * good.mismatch, "{} after {}", swapped.mismatch, good.mismatch);
     });

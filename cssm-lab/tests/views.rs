@@ -36,7 +36,7 @@ fn views_show_shadows_edges_and_a_facet_corner() {
     let (mut low, mut dueling) = (0, 0);
     for scene in [Scene::palm(), Scene::city(), Scene::pavilion(), Scene::forest()] {
         let tracer = Tracer::new(&scene);
-        let bounds = SceneBounds { receivers: scene.bounds_world() };
+        let bounds = SceneBounds::of(scene.bounds_world());
         assert_eq!(scene.views.len(), 3);
         let mut corners = 0;
         for (index, spot) in scene.views.iter().enumerate() {

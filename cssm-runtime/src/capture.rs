@@ -1,8 +1,10 @@
 //! The capture stage: the pass that replays a frame's commands.
 
 mod pipelines;
+mod stretched;
 
 pub(crate) use pipelines::{Attribute, CapturePipelines, VertexKey};
+pub(crate) use stretched::{Fetched, Stretched, StretchedMesh, fetches_by_itself, vertex_storage_buffers};
 
 use crate::commands::Command;
 use crate::frame::PreparedFrame;
@@ -72,11 +74,11 @@ impl CapturePipelines {
                         }
                     }
                 }
-                Command::Draw { corners, indexed: true, instances } => {
-                    pass.draw_indexed(0..*corners, 0, instances.clone());
+                Command::Draw { first, count, indexed: true, instances } => {
+                    pass.draw_indexed(*first..first + count, 0, instances.clone());
                 }
-                Command::Draw { corners, indexed: false, instances } => {
-                    pass.draw(0..*corners, instances.clone());
+                Command::Draw { first, count, indexed: false, instances } => {
+                    pass.draw(*first..first + count, instances.clone());
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! From object space to the eye, in f64: rows in camera axes for the device, boxes in world axes for culling.
 
 use cssm_core::BoundingBox;
-use cssm_core::glam::{DAffine3, DMat3, DVec3};
+use cssm_core::glam::{DAffine3, DMat3, DVec3, DVec4};
 
 /// Rows that take (x, y, z, 1) of object space to a position relative to the eye, metres, in the axes of the capture:
 /// the camera's (x right, y up, looking along -z), sheared as the plan says ([`cssm_core::ShadowPlan::shear`]).
@@ -36,9 +36,74 @@ pub(crate) fn capture_from_object(eye_from_object: &DAffine3, capture_from_world
     }
 }
 
-/// The smallest box of world axes around a transformed box.
-pub(crate) fn box_from_eye(eye_from_object: &DAffine3, bounds_object: &BoundingBox) -> BoundingBox {
-    let centre = eye_from_object.transform_point3((bounds_object.min + bounds_object.max) * 0.5);
-    let half = eye_from_object.matrix3.abs() * ((bounds_object.max - bounds_object.min) * 0.5);
-    BoundingBox { min: centre - half, max: centre + half }
+/// A box by its centre and half its sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CentredBox {
+    pub(crate) centre: DVec3,
+    pub(crate) half: DVec3,
+}
+
+impl CentredBox {
+    pub(crate) fn new(bounds: &BoundingBox) -> Self {
+        Self { centre: (bounds.min + bounds.max) * 0.5, half: (bounds.max - bounds.min) * 0.5 }
+    }
+
+    /// The smallest box of world axes around a transformed box.
+    pub(crate) fn transformed(self, eye_from_object: &DAffine3) -> Self {
+        Self {
+            centre: eye_from_object.transform_point3(self.centre),
+            half: eye_from_object.matrix3.abs() * self.half,
+        }
+    }
+
+    pub(crate) fn is_finite(&self) -> bool {
+        self.centre.is_finite() && self.half.is_finite()
+    }
+}
+
+/// A half-space of [`cssm_core::facet::Facet::casters`], ready to be tested against boxes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct HalfSpace {
+    normal: DVec3,
+    absolute_normal: DVec3,
+    offset: f64,
+}
+
+/// How a box lies to a half-space.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    Inside,
+    Crossing,
+    Outside,
+}
+
+impl HalfSpace {
+    /// The points with `plane.X >= 0`.
+    pub(crate) fn new(plane: DVec4) -> Self {
+        let normal = plane.truncate();
+        Self { normal, absolute_normal: normal.abs(), offset: plane.w }
+    }
+
+    /// The same half-space in the space of an instance's own positions.
+    pub(crate) fn in_object(&self, eye_from_object: &DAffine3) -> Self {
+        let normal = eye_from_object.matrix3.transpose() * self.normal;
+        let offset = self.normal.dot(eye_from_object.translation) + self.offset;
+        Self { normal, absolute_normal: normal.abs(), offset }
+    }
+
+    pub(crate) fn is_outside(&self, bounds: &CentredBox) -> bool {
+        self.normal.dot(bounds.centre) + self.offset + self.absolute_normal.dot(bounds.half) < 0.0
+    }
+
+    pub(crate) fn side(&self, bounds: &CentredBox) -> Side {
+        let distance = self.normal.dot(bounds.centre) + self.offset;
+        let reach = self.absolute_normal.dot(bounds.half);
+        if distance + reach < 0.0 {
+            Side::Outside
+        } else if distance >= reach {
+            Side::Inside
+        } else {
+            Side::Crossing
+        }
+    }
 }

@@ -43,6 +43,18 @@ pub enum ServiceError {
     /// The adapter has no comparison samplers.
     #[error("the adapter has no comparison samplers; declare filter: gather_2x2 or none")]
     NoComparisonSampler,
+    /// The device has no storage buffers in vertex shaders, or too few.
+    #[error(
+        "case {case} stretches exactly, which reads {needed} storage buffers in vertex shaders, but the device has {offered}; declare distribution: bands or stretch: vertex, or request the limits of features_and_limits"
+    )]
+    NoVertexStorage {
+        /// Name of the case.
+        case: String,
+        /// Storage buffers that the case needs.
+        needed: u32,
+        /// Storage buffers of a shader stage.
+        offered: u32,
+    },
     /// The table lacks something that code generation adds.
     #[error("case {case} has no {what} in its table; pass a table that code generation has filled")]
     IncompleteTable {

@@ -64,7 +64,7 @@ impl UniformLayout {
         let align = |bytes: u64| bytes.next_multiple_of(u64::from(alignment.max(16)));
         let bytes = |kind| u64::from(record_bytes(table, kind));
         let facet_stride = align(bytes(RecordKind::Capture));
-        let shadow_offset = facet_stride * u64::from(table.facets());
+        let shadow_offset = facet_stride * u64::from(table.cells());
         let mask_offset = shadow_offset + align(bytes(RecordKind::Shadow));
         let size = mask_offset + align(bytes(RecordKind::Mask)).max(16);
         Self { facet_stride, shadow_offset, mask_offset, size }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use cssm_core::table::{CaseTable, GroupContent, ShaderKind};
 
 use crate::atlas::Atlas;
-use crate::capture::CapturePipelines;
+use crate::capture::{CapturePipelines, fetches_by_itself};
 use crate::error::ServiceError;
 use crate::frame::{SlotLayouts, SlotPool, UniformLayout};
 use crate::health::HealthProbe;
@@ -51,7 +51,9 @@ impl Gpu {
         let (capture, shadow) = checked(device, "bind group layouts", || {
             let stages = options.material_stages | wgpu::ShaderStages::FRAGMENT;
             let shadow = shadow_group(table).map(|group| group_layout(device, table, group, stages));
-            (group_layout(device, table, capture_group, wgpu::ShaderStages::VERTEX), shadow)
+            let mut capture_stages = wgpu::ShaderStages::VERTEX;
+            capture_stages.set(wgpu::ShaderStages::FRAGMENT, fetches_by_itself(table));
+            (group_layout(device, table, capture_group, capture_stages), shadow)
         })?;
         let uniforms = UniformLayout::new(table, limits.min_uniform_buffer_offset_alignment);
         let layouts = SlotLayouts { capture, shadow, uniforms };

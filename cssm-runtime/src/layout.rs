@@ -90,6 +90,9 @@ pub(crate) fn incomplete(table: &CaseTable, what: &'static str) -> ServiceError 
     ServiceError::IncompleteTable { case: table.case.to_string(), what }
 }
 
+/// Bytes of [`BindingKind::MeshLayout`]: eight numbers.
+const MESH_LAYOUT_BYTES: u64 = 32;
+
 fn binding_type(table: &CaseTable, kind: BindingKind) -> wgpu::BindingType {
     let texture = |sample_type| wgpu::BindingType::Texture {
         sample_type,
@@ -102,6 +105,18 @@ fn binding_type(table: &CaseTable, kind: BindingKind) -> wgpu::BindingType {
             has_dynamic_offset: dynamic_offset,
             min_binding_size: NonZeroU64::new(u64::from(record_bytes(table, record))),
         },
+        BindingKind::MeshLayout => wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: NonZeroU64::new(MESH_LAYOUT_BYTES),
+        },
+        BindingKind::MeshPositions | BindingKind::MeshIndices | BindingKind::MeshUvs => {
+            wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Storage { read_only: true },
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            }
+        }
         BindingKind::Map | BindingKind::SceneDepth => texture(wgpu::TextureSampleType::Depth),
         BindingKind::SceneLinearDepth | BindingKind::SceneNormal => {
             texture(wgpu::TextureSampleType::Float { filterable: false })
@@ -122,6 +137,7 @@ impl Label for GroupContent {
     fn label(self) -> &'static str {
         match self {
             Self::CaptureFacet => "capture facet",
+            Self::CasterMesh => "caster mesh",
             Self::CasterMask => "caster mask",
             Self::MaskInput => "mask input",
             Self::Shadow => "shadow",

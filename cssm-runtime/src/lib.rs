@@ -47,7 +47,7 @@
 //!   work as well; no generator is linked.
 //! * **One pass, one map.** All facets are drawn in one render pass; viewport and scissor confine each to its tile,
 //!   a dynamic offset picks its record. Each facet draws only the casters whose shadows can reach something visible
-//!   in it, one draw for each mesh.
+//!   in it, one draw for each mesh. Of a large mesh with [`Cluster`]s it draws the ranges that can.
 //! * **Casters stay where they are.** Meshes are ranges of the engine's buffers in the engine's vertex format, alpha
 //!   masks are the engine's own textures. The eye is subtracted from every transform and the axes are turned to the
 //!   camera's in f64, so nothing is lost far from the world's origin or in a narrow field of view.
@@ -74,6 +74,7 @@
 mod alpha_mask;
 mod atlas;
 mod capture;
+mod clusters;
 mod commands;
 mod cull;
 mod depth_order;
@@ -91,8 +92,9 @@ mod service;
 mod upload;
 
 pub use alpha_mask::AlphaMask;
+pub use clusters::{CLUSTER_TRIANGLES, Cluster, ClusterError, ClusteredTriangles, cluster_triangles};
 pub use commands::{
-    Command, FacetHandle, FacetStatistics, FrameCommands, FrameStatistics, MeshFacts, PipelineHandle,
+    Command, Drawing, FacetHandle, FacetStatistics, FrameCommands, FrameStatistics, MeshFacts, PipelineHandle,
 };
 pub use cssm_core;
 pub use cull::InstanceRows;

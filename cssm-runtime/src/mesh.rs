@@ -4,7 +4,9 @@ use cssm_core::BoundingBox;
 use cssm_core::glam::DAffine3;
 
 use crate::alpha_mask::{AlphaMask, BoundMask, check};
-use crate::commands::{MeshFacts, PipelineHandle};
+use crate::clusters::{self, Cluster, is_sound};
+use crate::capture::StretchedMesh;
+use crate::commands::{Drawing, MeshFacts, PipelineHandle};
 
 /// A triangle list in the engine's own buffers.
 ///
@@ -29,6 +31,9 @@ pub struct MeshDescription<'a> {
     pub indices: Option<IndexDescription<'a>>,
     /// Box around the positions in object space.
     pub bounds_object: BoundingBox,
+    /// Ranges of the triangles that facets accept or refuse one by one, one after another over the whole mesh; empty: the
+    /// mesh is accepted or refused whole. [`crate::cluster_triangles`] makes them; worth it from a few hundred triangles.
+    pub clusters: &'a [Cluster],
     /// Holes; `None`: the triangles are whole.
     pub mask: Option<AlphaMask<'a>>,
 }
@@ -122,6 +127,76 @@ pub enum MeshError {
     /// The bounding box is not finite or inside out.
     #[error("the bounding box of the mesh is not finite or has max < min; give the box around its positions")]
     Bounds,
+    /// A cluster is no list of triangles.
+    #[error("cluster {cluster} has {count} corners; give it a multiple of 3, at least one triangle")]
+    ClusterCount {
+        /// Number of the cluster.
+        cluster: usize,
+        /// Its corners.
+        count: u32,
+    },
+    /// A cluster ends after the mesh does.
+    #[error(
+        "cluster {cluster} holds {count} corners from corner {first}, but the mesh has {corners}; count from the mesh's first index"
+    )]
+    ClusterOutOfRange {
+        /// Number of the cluster.
+        cluster: usize,
+        /// Its first corner.
+        first: u32,
+        /// Its corners.
+        count: u32,
+        /// Corners of the mesh.
+        corners: u32,
+    },
+    /// A cluster overlaps the one before, or leaves triangles between them to nobody.
+    #[error(
+        "cluster {cluster} begins at corner {first}, but those before end at {expected}; let clusters follow one another without gap or overlap"
+    )]
+    ClusterOrder {
+        /// Number of the cluster.
+        cluster: usize,
+        /// Its first corner.
+        first: u32,
+        /// Where the clusters before it end.
+        expected: u32,
+    },
+    /// The clusters end before the mesh does.
+    #[error(
+        "the clusters end at corner {covered} of {corners}; cover every triangle, the others would cast no shadow"
+    )]
+    ClustersEnd {
+        /// Where the last cluster ends.
+        covered: u32,
+        /// Corners of the mesh.
+        corners: u32,
+    },
+    /// A cluster's box is not finite or inside out.
+    #[error(
+        "the bounding box of cluster {cluster} is not finite or has max < min; give the box around its positions"
+    )]
+    ClusterBounds {
+        /// Number of the cluster.
+        cluster: usize,
+    },
+    /// A buffer is larger than shaders may fetch from.
+    #[error(
+        "the {what} lie in {bytes} bytes, but shaders fetch from at most {limit}; split the mesh or request a larger max_storage_buffer_binding_size"
+    )]
+    TooLarge {
+        /// Vertices, indices or texture coordinates.
+        what: &'static str,
+        /// Bytes from the first to the last, with what aligns them.
+        bytes: u64,
+        /// The device's largest storage binding.
+        limit: u64,
+    },
+    /// The mesh has more corners than fans of its triangles can be numbered.
+    #[error("the mesh has {corners} corners, but exact stretching draws four for each; split the mesh")]
+    TooManyCorners {
+        /// Vertices, or indices where there are some.
+        corners: u32,
+    },
     /// The case has no capture shaders that read masks.
     #[error(
         "the mesh has an alpha mask, but the case declares opaque casters; declare casters: alpha_tested or leave the mask out"
@@ -164,16 +239,19 @@ pub(crate) struct Mesh {
     vertices_range: std::ops::Range<u64>,
     indices: Option<BoundIndices>,
     mask: Option<BoundMask>,
-    /// What commands are built from.
-    pub(crate) facts: MeshFacts,
+    pipeline: PipelineHandle,
+    stretched: Option<StretchedMesh>,
+    corners: u32,
+    bounds_object: BoundingBox,
+    clusters: Vec<Cluster>,
 }
 
 /// A description whose buffers and numbers have been found sound.
 #[derive(Debug)]
 pub(crate) struct CheckedMesh {
-    vertices_range: std::ops::Range<u64>,
-    indices: Option<BoundIndices>,
-    corners: u32,
+    pub(crate) vertices_range: std::ops::Range<u64>,
+    pub(crate) indices: Option<BoundIndices>,
+    pub(crate) corners: u32,
     /// Where the texture coordinates of the mask lie.
     pub(crate) uvs_range: Option<std::ops::Range<u64>>,
 }
@@ -181,6 +259,9 @@ pub(crate) struct CheckedMesh {
 impl Mesh {
     /// Binds the mesh's buffers; `slot` is the vertex buffer slot.
     pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass, slot: u32) {
+        if let Some(stretched) = &self.stretched {
+            return stretched.bind(pass);
+        }
         pass.set_vertex_buffer(slot, self.vertices.slice(self.vertices_range.clone()));
         if let Some((buffer, range, format)) = &self.indices {
             pass.set_index_buffer(buffer.slice(range.clone()), *format);
@@ -190,6 +271,11 @@ impl Mesh {
     /// The mesh's alpha mask.
     pub(crate) fn mask(&self) -> Option<&BoundMask> {
         self.mask.as_ref()
+    }
+
+    /// The same mesh, whose vertices the shaders fetch by themselves.
+    pub(crate) fn fetched(self, stretched: StretchedMesh) -> Self {
+        Self { pipeline: stretched.pipeline, stretched: Some(stretched), ..self }
     }
 
     /// A mesh of a checked description.
@@ -204,12 +290,23 @@ impl Mesh {
             vertices_range: checked.vertices_range,
             indices: checked.indices,
             mask,
-            facts: MeshFacts {
-                pipeline,
-                corners: checked.corners,
-                indexed: description.indices.is_some(),
-                bounds_object: description.bounds_object,
-            },
+            pipeline,
+            stretched: None,
+            corners: checked.corners,
+            bounds_object: description.bounds_object,
+            clusters: description.clusters.to_vec(),
+        }
+    }
+
+    /// What commands are built from.
+    pub(crate) fn facts(&self) -> MeshFacts<'_> {
+        MeshFacts {
+            pipeline: self.pipeline,
+            corners: self.corners,
+            indexed: self.indices.is_some() && self.stretched.is_none(),
+            bounds_object: self.bounds_object,
+            clusters: &self.clusters,
+            drawing: self.stretched.as_ref().map_or(Drawing::Plain, |stretched| stretched.drawing),
         }
     }
 }
@@ -228,10 +325,10 @@ impl CheckedMesh {
         if !corners.is_multiple_of(3) {
             return Err(MeshError::NotTriangles { corners });
         }
-        let bounds = description.bounds_object;
-        if !(bounds.min.is_finite() && bounds.max.is_finite() && bounds.min.cmple(bounds.max).all()) {
+        if !is_sound(&description.bounds_object) {
             return Err(MeshError::Bounds);
         }
+        clusters::check(description.clusters, corners)?;
 
         let uvs_range = description
             .mask
@@ -292,7 +389,8 @@ fn vertex_range(
     Ok(start..end)
 }
 
-type BoundIndices = (wgpu::Buffer, std::ops::Range<u64>, wgpu::IndexFormat);
+/// A buffer of indices, where they lie in it and how they are stored.
+pub(crate) type BoundIndices = (wgpu::Buffer, std::ops::Range<u64>, wgpu::IndexFormat);
 
 fn index_range(indices: &IndexDescription) -> Result<BoundIndices, MeshError> {
     const WHAT: &str = "indices";

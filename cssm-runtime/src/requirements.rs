@@ -1,7 +1,9 @@
 //! What a case needs of a device, known before there is one.
 
+use cssm_core::distribution::RemapKind;
 use cssm_core::table::{BindingKind, CaseTable, FieldType, Meaning, Record, RecordField, RecordKind};
 
+use crate::capture::vertex_storage_buffers;
 use crate::error::ServiceError;
 use crate::layout::incomplete;
 
@@ -20,11 +22,14 @@ pub struct Requirements {
 /// Features the service uses for every case where they are offered.
 const USEFUL: wgpu::Features = wgpu::Features::DEPTH_CLIP_CONTROL.union(wgpu::Features::TIMESTAMP_QUERY);
 
+/// Largest buffer of a mesh that shaders fetch from, unless the engine asks for more: what WebGPU has everywhere.
+const MESH_BYTES: u64 = 128 << 20;
+
 /// Features and limits that a case needs, to be requested with the engine's own.
 ///
 /// # Errors
 /// What the adapter cannot offer: a map or a record that is too large, a bind group number out of reach, comparison
-/// samplers.
+/// samplers, storage buffers in vertex shaders.
 pub fn features_and_limits(adapter: &wgpu::Adapter, table: &CaseTable) -> Result<Requirements, ServiceError> {
     let offered = adapter.limits();
     check_limits(&offered, table)?;
@@ -32,6 +37,12 @@ pub fn features_and_limits(adapter: &wgpu::Adapter, table: &CaseTable) -> Result
     let flags = adapter.get_downlevel_capabilities().flags;
     if compares && !flags.contains(wgpu::DownlevelFlags::COMPARISON_SAMPLERS) {
         return Err(ServiceError::NoComparisonSampler);
+    }
+
+    let storage_buffers = vertex_storage_buffers(table);
+    if storage_buffers > 0 && !flags.contains(wgpu::DownlevelFlags::VERTEX_STORAGE) {
+        let case = table.case.to_string();
+        return Err(ServiceError::NoVertexStorage { case, needed: storage_buffers, offered: 0 });
     }
 
     // Start from what every adapter has and raise what the case exceeds.
@@ -43,6 +54,11 @@ pub fn features_and_limits(adapter: &wgpu::Adapter, table: &CaseTable) -> Result
         max_texture_dimension_2d: lowest.max_texture_dimension_2d.max(side),
         max_uniform_buffer_binding_size: lowest.max_uniform_buffer_binding_size.max(record),
         max_bind_groups: lowest.max_bind_groups.max(groups),
+        max_storage_buffers_per_shader_stage: lowest.max_storage_buffers_per_shader_stage.max(storage_buffers),
+        max_storage_buffer_binding_size: match storage_buffers {
+            0 => lowest.max_storage_buffer_binding_size,
+            _ => offered.max_storage_buffer_binding_size.min(MESH_BYTES),
+        },
         ..lowest
     };
     let mut useful = USEFUL;
@@ -65,6 +81,10 @@ pub(crate) fn check_limits(offered: &wgpu::Limits, table: &CaseTable) -> Result<
     if let Some(group) = table.groups.iter().find(|group| group.group >= limit) {
         return Err(ServiceError::GroupTooLarge { group: group.group, limit });
     }
+    let (needed, offered) = (vertex_storage_buffers(table), offered.max_storage_buffers_per_shader_stage);
+    if needed > offered {
+        return Err(ServiceError::NoVertexStorage { case: table.case.to_string(), needed, offered });
+    }
     Ok(())
 }
 
@@ -72,11 +92,13 @@ pub(crate) fn check_limits(offered: &wgpu::Limits, table: &CaseTable) -> Result<
 /// plan that fits the table stays inside them. Generated tables always pass.
 pub(crate) fn check_records(table: &CaseTable) -> Result<(), ServiceError> {
     let facet_bytes = table.record(RecordKind::Facet).map_or(0, |record| record.size_bytes);
-    let (sectors, bands) = (table.sectors, table.bands);
+    let (sectors, bands) = (table.halves.saturating_mul(table.sectors), table.bands);
     let fits = |record: &Record, field: &RecordField| {
         let (size, elements) = match field.meaning {
-            Meaning::Facets => (facet_bytes, sectors.saturating_mul(bands)),
-            Meaning::Borders | Meaning::Distances => (16, sectors),
+            Meaning::Facets => (facet_bytes, table.cells()),
+            Meaning::Borders | Meaning::Distances | Meaning::Units => (16, sectors),
+            Meaning::Dominant => (16, 2),
+            Meaning::Remap if table.remap == RemapKind::Logarithmic => (16, 2),
             Meaning::Clips => (16, table.clips),
             Meaning::Thresholds => (16, sectors.saturating_mul(bands.saturating_sub(1).div_ceil(4))),
             _ => (field_bytes(field.ty), 0),

@@ -6,8 +6,8 @@ use cssm_core::table::{CaseTable, ShaderKind};
 use cssm_core::{ShadowPlan, View};
 
 use crate::alpha_mask::BoundMask;
-use crate::capture::{Attribute, VertexKey};
-use crate::commands::FrameCommands;
+use crate::capture::{Attribute, Fetched, Stretched, StretchedMesh, VertexKey};
+use crate::commands::{FrameCommands, FrameStatistics};
 use crate::error::ServiceError;
 use crate::frame::PreparedFrame;
 use crate::gpu::Gpu;
@@ -100,9 +100,16 @@ impl ShadowService {
                 .as_ref()
                 .map(|mask| Attribute { format: mask.format, stride_bytes: mask.stride_bytes }),
         };
-        let pipeline = self.gpu.capture.handle(&self.gpu.device, &self.table, key);
-        let pipeline = self.gpu.alive(pipeline)?;
-        let mesh = Mesh::new(description, checked, mask, pipeline);
+        let mesh = match self.gpu.capture.stretched() {
+            Some(stretched) => {
+                let fetched = self.gpu.alive(self.fetched(stretched, description, &checked))?;
+                Mesh::new(description, checked, mask, fetched.pipeline).fetched(fetched)
+            }
+            None => {
+                let pipeline = self.gpu.capture.handle(&self.gpu.device, &self.table, key);
+                Mesh::new(description, checked, mask, self.gpu.alive(pipeline)?)
+            }
+        };
 
         // Reuse a free entry.
         let free = self.meshes.iter().position(|entry| entry.mesh.is_none());
@@ -138,8 +145,7 @@ impl ShadowService {
         instances: &[CasterInstance],
     ) -> Result<PreparedFrame, ServiceError> {
         check_plan(&self.table, plan, view)?;
-        let (commands, statistics) =
-            FrameCommands::build(plan, instances, |mesh| self.mesh(mesh).map(|mesh| mesh.facts))?;
+        let (commands, statistics) = self.commands(plan, instances)?;
         let Gpu { device, queue, atlas, layouts, slots, identity, .. } = &mut self.gpu;
         let rows = commands.rows.len();
         let slot = slots.acquire(device, &self.table, layouts, atlas, rows).and_then(|slot| {
@@ -150,6 +156,18 @@ impl ShadowService {
         let service = Arc::clone(identity);
         let slot = self.gpu.alive(slot)?;
         Ok(PreparedFrame { service, slot, depth_order: plan.depth_order, commands, statistics })
+    }
+
+    /// What [`ShadowService::prepare`] would draw, without uploading anything: culling alone, on the CPU.
+    ///
+    /// # Errors
+    /// Transforms that are not finite, unknown meshes.
+    pub fn commands(
+        &self,
+        plan: &ShadowPlan,
+        instances: &[CasterInstance],
+    ) -> Result<(FrameCommands, FrameStatistics), ServiceError> {
+        FrameCommands::build(plan, instances, |mesh| self.mesh(mesh).map(Mesh::facts))
     }
 
     /// Records the capture: one render pass into the map, replacing what it held.
@@ -252,6 +270,31 @@ impl ShadowService {
             *entry = MeshEntry { generation: entry.generation.wrapping_add(1), mesh: None };
         }
         Ok(())
+    }
+
+    /// Binds the buffers of a mesh whose vertices the shaders fetch by themselves.
+    fn fetched(
+        &self,
+        stretched: &Stretched,
+        description: &MeshDescription,
+        checked: &CheckedMesh,
+    ) -> Result<StretchedMesh, ServiceError> {
+        let positions = Fetched {
+            buffer: description.vertices,
+            range: checked.vertices_range.clone(),
+            stride_bytes: description.stride_bytes,
+            format: description.position_format,
+        };
+        let masked = description.mask.as_ref().zip(checked.uvs_range.clone());
+        let uvs = masked.map(|(mask, range)| Fetched {
+            buffer: mask.uvs,
+            range,
+            stride_bytes: mask.stride_bytes,
+            format: mask.format,
+        });
+        let Gpu { device, .. } = &self.gpu;
+        let indices = checked.indices.as_ref();
+        stretched.mesh(device, &self.table, &positions, indices, uvs.as_ref(), checked.corners)
     }
 
     fn bind_mask(

@@ -18,19 +18,22 @@ pub(crate) fn check_plan(table: &CaseTable, plan: &ShadowPlan, view: &View) -> R
     if plan.depth_order == DepthOrder::Reversed && !table.may_reverse_depth {
         return foreign("it stores depth reversed");
     }
-    if plan.facets.iter().any(|facet| facet.index >= table.facets()) {
+    if plan.facets.iter().flat_map(|facet| &facet.cells).any(|cell| *cell >= table.cells()) {
         return foreign("it has more facets");
     }
-    if !plan.facets.is_sorted_by(|one, other| one.index < other.index) {
+    if !plan.facets.is_sorted_by(|one, other| one.first_cell() < other.first_cell()) {
         return foreign("its facets are not in ascending order");
     }
 
     // The selection must fill the table's arrays and no more.
     let selection = &plan.selection;
-    let rows = |count: usize, used: bool| count as u32 == if used { table.sectors } else { 0 };
+    let rows = |count: usize, used: bool| count as u32 == if used { table.halves * table.sectors } else { 0 };
     if !rows(selection.borders.len(), table.sectors > 1)
         || !rows(selection.distances.len(), table.bands > 1)
         || !rows(selection.thresholds.len(), table.bands > 1)
+        || !rows(selection.units.len(), table.scales_thresholds)
+        || selection.split.is_some() != (table.halves > 1)
+        || selection.dominant.is_some() != table.dominant
         || selection.thresholds.iter().any(|limits| limits.len() as u32 != table.bands - 1)
     {
         return foreign("its selection has another shape");

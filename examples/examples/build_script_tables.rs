@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "case {}: {} facets at most, map {} x {}",
         case.name,
-        table.facets(),
+        table.cells(),
         table.map_width,
         table.map_height
     );
@@ -39,7 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_eq!(bytes.len(), size_of::<valley::ValleyShadow>());
     let shadow: valley::ValleyShadow = bytemuck::pod_read_unaligned(&bytes);
     for facet in &plan.facets {
-        let uploaded = &shadow.facets[facet.index as usize];
+        let uploaded = &shadow.facets[facet.first_cell() as usize];
         let row_w = plan.camera_from_world * facet.rows.w.truncate();
         let rounding = Vec4::from_array(uploaded.row_w) - row_w.extend(facet.rows.w.w).as_vec4();
         assert!(rounding.length() <= 1e-6 * row_w.length() as f32);
@@ -56,7 +56,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let tile = facet.tile;
         println!(
             "facet {}: viewport {} x {} at ({}, {})",
-            facet.index, tile.width, tile.height, tile.x, tile.y
+            facet.first_cell(),
+            tile.width,
+            tile.height,
+            tile.x,
+            tile.y
         );
     }
     for pass in table.passes.iter() {

@@ -104,6 +104,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         position_format: wgpu::VertexFormat::Float32x3,
         indices: None,
         bounds_object: BoundingBox { min: DVec3::new(-40.0, -1.0, -90.0), max: DVec3::new(40.0, 6.6, 20.0) },
+        clusters: &[],
         mask: None,
     })?;
 

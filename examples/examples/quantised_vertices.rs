@@ -106,6 +106,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }),
         // What the vertex fetch yields: normalised integers.
         bounds_object: BoundingBox { min: DVec3::splat(-1.0), max: DVec3::splat(1.0) },
+        clusters: &[],
         mask: None,
     })?;
 

@@ -72,6 +72,8 @@ fn value(kind: &'static Kind, random: &mut Random) -> Option<Value> {
         Kind::AutoOrCount { .. } if random.below(2) == 0 => Value::Word(Word::plain("auto")),
         Kind::AutoOrCount { min, max } => Value::Count(random.count(*min, *max)),
         Kind::Number { min, max, open, .. } => Value::Number(number(*min, max.min(LARGEST), *open, random)),
+        Kind::NumberOr { choices, .. } if random.below(2) == 0 => Value::Word(word(choices, random)?),
+        Kind::NumberOr { min, max, open, .. } => Value::Number(number(*min, max.min(LARGEST), *open, random)),
         Kind::Size { min, max } => Value::Size(random.count(*min, *max), random.count(*min, *max)),
         Kind::SizeList { min, max } => {
             let sizes = (0..=random.below(8)).map(|_| (random.count(*min, *max), random.count(*min, *max)));

@@ -50,7 +50,7 @@ fn judge(scene: &Scene, thin: bool) {
     let tracer = Tracer::new(scene);
     let cases = cases();
     let gpu = Gpu::open(&cases.iter().collect::<Vec<_>>(), SIZE).unwrap();
-    let bounds = SceneBounds { receivers: scene.bounds_world() };
+    let bounds = SceneBounds::of(scene.bounds_world());
     let mut pooled = vec![(0, 0); cases.len()];
     let mut judged = vec![0; cases.len()];
     for (number, spot) in scene.views.iter().enumerate() {

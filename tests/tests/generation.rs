@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 
 use cssm::LightCase;
 use cssm::core::schema::Word;
@@ -12,10 +12,19 @@ use cssm_codegen::{Build, Generated, Target, dsl, generate, macro_expand};
 use cssm_tests::{generated, random};
 use naga::valid::Capabilities;
 
+#[path = "support/judge.rs"]
+mod judge;
+
+use judge::{capabilities, judge, passes_spirv_val, spirv_val, spirv_val_is_there, with_stage};
+
 /// Shipped declaration files, and what the tests crate has compiled from each.
-fn shipped() -> [(&'static str, &'static CaseTable, LightCase); 7] {
+fn shipped() -> [(&'static str, &'static CaseTable, LightCase); 11] {
     [
         ("sun", &generated::sun::TABLE, generated::sun::case()),
+        ("sun_log", &generated::sun_log::TABLE, generated::sun_log::case()),
+        ("sun_stretched", &generated::sun_stretched::TABLE, generated::sun_stretched::case()),
+        ("lamp", &generated::lamp::TABLE, generated::lamp::case()),
+        ("spot", &generated::spot::TABLE, generated::spot::case()),
         ("one_plane", &generated::one_plane::TABLE, generated::one_plane::case()),
         ("four_plane", &generated::four_plane::TABLE, generated::four_plane::case()),
         ("planes", &generated::planes::TABLE, generated::planes::case()),
@@ -209,86 +218,4 @@ fn random_declarations_survive_their_own_text() {
         let read = dsl::parse_file("printed", &text).unwrap_or_else(|report| panic!("{report}"));
         assert_eq!(read, [case]);
     }
-}
-
-/// A module with an entry point: the function module is called from a fragment stage.
-fn with_stage(wgsl: &str, table: &CaseTable, kind: ShaderKind) -> String {
-    if kind != ShaderKind::Function {
-        return wgsl.to_owned();
-    }
-    let prefix = &table.prefix;
-    let call = if wgsl.contains("normal: vec3<f32>) -> f32") { "(p, n)" } else { "(p)" };
-    format!(
-        "{wgsl}\n@fragment fn stage(@location(0) p: vec3<f32>, @location(1) n: vec3<f32>) -> @location(0) \
-         vec4<f32> {{ return vec4<f32>({prefix}_visibility{call}); }}"
-    )
-}
-
-/// What a module may need beyond WebGPU's core: clip distances, where facets share tiles and the pipeline cuts.
-fn capabilities(table: &CaseTable, kind: ShaderKind) -> Capabilities {
-    match kind {
-        ShaderKind::Capture | ShaderKind::CaptureTested if table.clips > 0 => Capabilities::CLIP_DISTANCES,
-        _ => Capabilities::empty(),
-    }
-}
-
-/// Validates a module, checks that compaction removes nothing, and returns its words.
-fn judge(wgsl: &str, capabilities: Capabilities) -> Result<Vec<u8>, String> {
-    use naga::compact::{KeepUnused, compact};
-    use naga::front::wgsl::{Frontend, Options};
-    use naga::valid::{ValidationFlags, Validator};
-    let mut frontend = Frontend::new_with_options(Options { parse_doc_comments: false, capabilities });
-    let module = frontend.parse(wgsl).map_err(|error| error.emit_to_string(wgsl))?;
-    let mut validator = Validator::new(ValidationFlags::all(), capabilities);
-    let info = validator.validate(&module).map_err(|error| error.emit_to_string(wgsl))?;
-    let mut kept = module.clone();
-    compact(&mut kept, KeepUnused::No);
-    let named_types = |module: &naga::Module| module.types.iter().filter(|(_, ty)| ty.name.is_some()).count();
-    let counts = |module: &naga::Module| {
-        (module.functions.len(), module.global_variables.len(), module.constants.len(), named_types(module))
-    };
-    if counts(&module) != counts(&kept) {
-        return Err(format!("compact leaves {:?} of {:?}", counts(&kept), counts(&module)));
-    }
-    let options = naga::back::spv::Options { lang_version: (1, 3), ..Default::default() };
-    let words =
-        naga::back::spv::write_vec(&module, &info, &options, None).map_err(|error| error.to_string())?;
-    Ok(words.iter().flat_map(|word| word.to_le_bytes()).collect())
-}
-
-fn spirv_val_is_there() -> bool {
-    let there = Command::new("spirv-val").arg("--version").output().is_ok();
-    if !there {
-        eprintln!("SKIPPED: spirv-val is not installed; install Debian's spirv-tools");
-    }
-    there
-}
-
-/// Runs spirv-val over every module, on as many threads as there are cores.
-fn spirv_val(modules: &[Vec<u8>]) {
-    if !spirv_val_is_there() {
-        return;
-    }
-    let folder = tempfile::tempdir().unwrap();
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for thread in 0..threads {
-            let path = folder.path().join(format!("{thread}.spv"));
-            scope.spawn(move || {
-                for module in modules.iter().skip(thread).step_by(threads) {
-                    assert!(passes_spirv_val(module, &path), "spirv-val refuses a module");
-                }
-            });
-        }
-    });
-}
-
-fn passes_spirv_val(module: &[u8], path: &Path) -> bool {
-    std::fs::write(path, module).unwrap();
-    let output = Command::new("spirv-val").args(["--target-env", "vulkan1.1"]).arg(path).output().unwrap();
-    if !output.status.success() {
-        eprintln!("{}", String::from_utf8_lossy(&output.stdout));
-        eprintln!("{}", String::from_utf8_lossy(&output.stderr));
-    }
-    output.status.success()
 }

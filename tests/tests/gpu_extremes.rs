@@ -67,7 +67,7 @@ impl Found {
         let mut depths = Vec::with_capacity(placed.len());
         for (number, (receiver, placed)) in job.receivers.iter().zip(placed).enumerate() {
             let point = plan.camera_from_world.transpose() * receiver.as_dvec3();
-            let own = plan.selection.facet(point.extend(1.0));
+            let own = plan.selection.cell(point.extend(1.0));
             self.receivers += 1;
             if plan.facet(own).is_none() {
                 self.slivers += 1;
@@ -251,7 +251,7 @@ fn wrong_records_are_seen_and_the_shear_is_needed() {
     let facet_rows = |table: &CaseTable, meaning| {
         let (facets, stride) = field(table.record(RecordKind::Shadow).unwrap(), Meaning::Facets);
         let (row, _) = field(table.record(RecordKind::Facet).unwrap(), meaning);
-        (0..table.facets() as usize).map(move |facet| facets + facet * stride + row)
+        (0..table.cells() as usize).map(move |facet| facets + facet * stride + row)
     };
     type Write<'w> = &'w dyn Fn(&CaseTable, &ShadowPlan) -> Vec<u8>;
     let without_shear: Write<'_> = &|table, plan| {

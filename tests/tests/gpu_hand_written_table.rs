@@ -218,7 +218,7 @@ fn each_facet_draws_into_its_own_tile_only() {
         .zip([10.0, 20.0, 30.0])
         .map(|((index, x, y, width, height), top)| {
             let tile = Tile { x, y, width, height, gutter: 0 };
-            Facet { index, ..facet_from_above(tile, HALF, top, -10.0) }
+            Facet { cells: vec![index], ..facet_from_above(tile, HALF, top, -10.0) }
         })
         .collect();
     let frame =

@@ -40,6 +40,7 @@ fn scene() -> Scene {
         meshes: vec![quad("ground", level(ground, 0.0), None), quad("grille", level(wide, 4.0), Some(mask))],
         instances: vec![instance(0), instance(1)],
         views: Vec::new(),
+        lamps: Vec::new(),
     }
 }
 

@@ -58,7 +58,7 @@ fn every_case_runs_on_the_lowest_device() {
             }
             let receivers = case.scene_bounds.then(|| yard.bounds());
             let light = if number == 0 { yard::suns()[0] } else { dueling::suns(view)[number] };
-            let plan = plan(case, view, &light, &SceneBounds { receivers }).unwrap();
+            let plan = plan(case, view, &light, &SceneBounds::of(receivers)).unwrap();
 
             // The twin's bracket takes nine maps: one view of each case is enough.
             let bracket = (number == 1).then(|| DepthBracket::new(&yard, &plan, case.map.format));

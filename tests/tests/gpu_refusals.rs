@@ -120,7 +120,7 @@ fn plans_and_views_that_do_not_belong() {
     service.prepare(&good, &view, &[]).unwrap();
     let changes: [&dyn Fn(&mut cssm_core::ShadowPlan); 12] = [
         &|plan| plan.map_size_texels.0 = 65,
-        &|plan| plan.facets[0].index = 1,
+        &|plan| plan.facets[0].cells = vec![1],
         &|plan| plan.facets.push(plan.facets[0].clone()),
         &|plan| plan.selection.borders.push(DVec4::X),
         &|plan| plan.selection.distances.push(DVec4::X),
@@ -256,6 +256,7 @@ fn a_buffer_of_vertices_may_start_anywhere_in_the_engines_own_buffer() {
         position_format: wgpu::VertexFormat::Float32x3,
         indices: None,
         bounds_object: Geometry::triangle(corners).bounds(),
+        clusters: &[],
         mask: None,
     });
     let view = view();

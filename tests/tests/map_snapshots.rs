@@ -82,7 +82,7 @@ impl<'a> Situation<'a> {
             let (eye, target) = (viewpoint.eye_world, viewpoint.target_world);
             let view = View::perspective(eye, target, DVec3::Y, 1.0, 0.1, f64::INFINITY, (640, 360)).unwrap();
             let light = Light::directional_travelling(viewpoint.light_travels).unwrap();
-            plan(case, &view, &light, &SceneBounds { receivers: scene.bounds_world() }).unwrap()
+            plan(case, &view, &light, &SceneBounds::of(scene.bounds_world())).unwrap()
         };
         let made_for = |plan: &ShadowPlan| plan.choice.made_for_position.is_empty();
         let plan = scene.views.iter().map(planned).find(made_for).expect("a case is made for some view");

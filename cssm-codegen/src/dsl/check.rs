@@ -142,7 +142,9 @@ impl Check<'_> {
             (Kind::AutoOrCount { .. }, NodeKind::Word(word)) if word.name == "auto" => {
                 self.choice(&[Choice::plain("auto", "")], word, path).map(Value::Word)?
             }
-            (Kind::Number { unit, .. }, NodeKind::Number(number)) => self.quantity(*unit, number, path)?,
+            (Kind::Number { unit, .. } | Kind::NumberOr { unit, .. }, NodeKind::Number(number)) => {
+                self.quantity(*unit, number, path)?
+            }
             (Kind::Size { .. }, NodeKind::Size(width, height)) => {
                 let (width, height) = self.size(field, width, height, path)?;
                 Value::Size(width, height)
@@ -157,7 +159,7 @@ impl Check<'_> {
                 let sizes: Vec<_> = sizes.collect();
                 Value::Sizes(sizes.into_iter().collect::<Option<_>>()?)
             }
-            (Kind::Choice(choices), NodeKind::Word(word)) => {
+            (Kind::Choice(choices) | Kind::NumberOr { choices, .. }, NodeKind::Word(word)) => {
                 self.choice(choices, word, path).map(Value::Word)?
             }
             (Kind::ChoiceList(choices), NodeKind::List(nodes)) => {

@@ -27,14 +27,19 @@ pub fn print(case: &LightCase) -> String {
 fn written(kind: &Kind, value: &Value) -> String {
     match (kind, value) {
         (_, Value::Count(count)) => count.to_string(),
-        (Kind::Number { unit, .. }, Value::Number(number)) => quantity(*number, *unit),
+        (Kind::Number { unit, .. } | Kind::NumberOr { unit, .. }, Value::Number(number)) => {
+            quantity(*number, *unit)
+        }
         (_, Value::Number(number)) => quantity(*number, Unit::None),
         (_, Value::Size(width, height)) => format!("{width} x {height}"),
         (_, Value::Sizes(sizes)) => {
             let sizes: Vec<_> = sizes.iter().map(|(width, height)| format!("{width} x {height}")).collect();
             format!("[{}]", sizes.join(", "))
         }
-        (Kind::Choice(choices) | Kind::ChoiceList(choices), Value::Word(word)) => word_text(
+        (
+            Kind::Choice(choices) | Kind::ChoiceList(choices) | Kind::NumberOr { choices, .. },
+            Value::Word(word),
+        ) => word_text(
             word,
             choices.iter().find(|choice| choice.name == word.name).map_or(&[], |c| c.arguments),
         ),

@@ -54,7 +54,7 @@ pub fn reference() -> String {
 /// Tables of what a field's kind holds in turn.
 fn detail(page: &mut String, kind: &Kind) {
     match kind {
-        Kind::Choice(choices) | Kind::ChoiceList(choices) => {
+        Kind::Choice(choices) | Kind::ChoiceList(choices) | Kind::NumberOr { choices, .. } => {
             page.push_str("\n| value | meaning |\n|---|---|\n");
             for choice in *choices {
                 page.push_str(&format!("| `{}` | {} |\n", choice.name, cell(choice.summary)));
@@ -83,7 +83,7 @@ fn table(page: &mut String, fields: &[Field]) {
 
     // Say what the choices mean, and list their own arguments in turn.
     for field in fields {
-        let Kind::Choice(choices) = field.kind else {
+        let (Kind::Choice(choices) | Kind::NumberOr { choices, .. }) = field.kind else {
             continue;
         };
         page.push_str(&format!("\nValues of `{}`:\n\n| value | meaning |\n|---|---|\n", field.name));

@@ -83,7 +83,7 @@ fn written(home: &str, name: &str) -> String {
 
 fn choices_of(kind: &Kind) -> &'static [Choice] {
     match kind {
-        Kind::Choice(choices) | Kind::ChoiceList(choices) => choices,
+        Kind::Choice(choices) | Kind::ChoiceList(choices) | Kind::NumberOr { choices, .. } => choices,
         _ => &[],
     }
 }

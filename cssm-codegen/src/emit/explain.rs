@@ -3,8 +3,10 @@
 use std::fmt::Write;
 
 use cssm_core::LightCase;
-use cssm_core::case::{Casters, Filter, MaskDepth, MaskNormal, Resolve};
+use cssm_core::case::{Casters, Filter, MaskDepth, MaskNormal, Resolve, Stretch};
+use cssm_core::distribution::RemapKind;
 use cssm_core::light::LightPosition;
+use cssm_core::schema::Word;
 use cssm_core::table::{BindingKind, CaseTable, ConstantValue, FieldType, RecordKind, Resource, ShaderKind};
 
 use crate::dsl;
@@ -17,6 +19,7 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
     head(case, table, &mut out);
     conventions(case, table, &mut out);
     tiles(case, table, &mut out);
+    rows(case, table, &mut out);
     passes(table, &mut out);
     bindings(table, &mut out);
     records(table, &mut out);
@@ -65,9 +68,10 @@ fn choosing(case: &LightCase, out: &mut Out) {
     if case.configurations.len() > 1 {
         out.line("  each plan takes the one with the smallest predicted p95 footprint; a chooser dwells where two agree");
     }
-    for position in [LightPosition::General, LightPosition::Border, LightPosition::Dueling] {
+    for position in LightPosition::of_kind(case.light) {
         let is_declared = |name: &&str| case.configurations.iter().any(|word| word.name == *name);
-        let (declared, others): (Vec<_>, Vec<_>) = spec.made_for(position).partition(is_declared);
+        let (declared, others): (Vec<_>, Vec<_>) =
+            spec.made_for(case.light, *position).partition(is_declared);
         let name = position.name();
         out.line(match (declared.is_empty(), others.is_empty()) {
             (false, _) => format!("  light {name}: {}", declared.join(", ")),
@@ -84,6 +88,9 @@ fn conventions(case: &LightCase, table: &CaseTable, out: &mut Out) {
     out.line(format!("  resolve: in {}", axes_summary(table.axes)));
     if table.shears {
         out.line("  shear: positions are moved along the light before facets see them, where it stands in or near the view");
+    }
+    if table.local_light {
+        out.line("  light: a point; a metre along the ray is the less deep the farther it lies from there");
     }
     out.line(match table.may_reverse_depth {
         true => {
@@ -104,8 +111,11 @@ fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
     let mebibytes = (texels * u64::from(format.bytes_per_texel())) as f64 / f64::from(1 << 20);
     let (width, height) = (table.map_width, table.map_height);
     out.line(format!("  map of {width} x {height} texels, {}, {mebibytes:.1} MiB", format.name()));
-    let (sectors, bands, facets) = (table.sectors, table.bands, table.facets());
-    out.line(format!("  tiles at most: {facets} = sectors {sectors} x bands {bands}"));
+    let facets = table.cells();
+    let CaseTable { halves, sectors, bands, .. } = *table;
+    let halves = if halves > 1 { format!("halves {halves} x ") } else { String::new() };
+    let dominant = if table.dominant { " + dominant plane 1" } else { "" };
+    out.line(format!("  tiles at most: {facets} = {halves}sectors {sectors} x bands {bands}{dominant}"));
     out.line(match table.clips {
         0 => "  clips: none, every tile is a rectangle of one facet".to_owned(),
         clips => format!("  clips: {clips} half-spaces cut the casters of facets that share a tile"),
@@ -121,6 +131,43 @@ fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
             let share = texels / u64::from(facets.max(1));
             out.line(format!("  texels per tile: {share} of {texels} if all tiles are used alike"));
         }
+    }
+}
+
+/// What facets have beside plain rows: bent ones, limits that scale, a plane of their own. Absent where there is nothing.
+fn rows(case: &LightCase, table: &CaseTable, out: &mut Out) {
+    let bent = match table.remap {
+        RemapKind::None => None,
+        RemapKind::Perspective => Some("the perspective of a pushed back eye"),
+        RemapKind::Logarithmic => Some("the logarithm of distance"),
+    };
+    if bent.is_none() && !table.scales_thresholds && case.dominant_plane.is_none() {
+        return;
+    }
+    out.section("rows");
+    if let Some(bent) = bent {
+        let takes = |word: &&Word| case.technique_spec().configuration(word.name).takes_distribution;
+        let names: Vec<_> = case.configurations.iter().filter(takes).map(|word| word.name).collect();
+        out.line(format!("  bent by {bent}: {}; straight elsewhere", names.join(", ")));
+    }
+    match (bent, table.stretch) {
+        (None, _) | (_, Stretch::None) => {}
+        (_, Stretch::Vertex) => {
+            out.line("  stretch: corners of casters alone are bent; wrong for triangles that span many rows");
+        }
+        (_, Stretch::Exact { bound_texels }) => out.line(format!(
+            "  stretch: pixel by pixel where straight edges would be off by more than {bound_texels} texels"
+        )),
+    }
+    if table.scales_thresholds {
+        out.line("  band limits: times a row of each sector's own, because distance is a quotient under this light");
+    }
+    if let Some(plane) = case.dominant_plane {
+        out.line(format!(
+            "  dominant plane: {} % of the map for receivers within {} m of it, which are told first",
+            100.0 * plane.share,
+            plane.thickness_metres
+        ));
     }
 }
 

@@ -3,6 +3,8 @@
 //! Fields stand in the order of these structs, whatever features other crates switch on in serde_json.
 
 use cssm_core::LightCase;
+use cssm_core::case::Stretch;
+use cssm_core::distribution::RemapKind;
 use cssm_core::table::{
     BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantValue, FieldType, GroupContent, Pass,
     Record, RecordField, Shader,
@@ -19,8 +21,16 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
         doc: &case.doc,
         prefix: &case.prefix,
         fingerprint: format!("{:016x}", table.fingerprint),
+        light: case.light.name(),
         technique: case.technique.name,
         configurations: case.configurations.iter().map(|word| word.name).collect(),
+        distribution: case.distribution.as_ref().map(|word| word.name),
+        remap: remap_name(table.remap),
+        stretch: JsonStretch::of(case, table),
+        dominant_plane: case.dominant_plane.map(|plane| JsonDominantPlane {
+            share: plane.share,
+            thickness_metres: plane.thickness_metres,
+        }),
         filter: case.filter.name(),
         bias: case.bias.name(),
         casters: case.casters.name(),
@@ -35,10 +45,13 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
             gutter: case.gutter_texels(),
         },
         facets: JsonFacets {
+            halves: table.halves,
             sectors: table.sectors,
             bands: table.bands,
-            count: table.facets(),
+            count: table.cells(),
             clips: table.clips,
+            dominant: table.dominant,
+            scales_thresholds: table.scales_thresholds,
         },
         fetches_per_pixel: table.fetches_per_pixel,
         constants: table.constants.iter().map(JsonConstant::of).collect(),
@@ -57,8 +70,19 @@ struct JsonCase<'a> {
     doc: &'a str,
     prefix: &'a str,
     fingerprint: String,
+    light: &'a str,
     technique: &'a str,
     configurations: Vec<&'a str>,
+    /// Absent: no configuration takes one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    distribution: Option<&'a str>,
+    /// Absent: rows are straight.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    remap: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stretch: Option<JsonStretch>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dominant_plane: Option<JsonDominantPlane>,
     filter: &'a str,
     bias: &'a str,
     casters: &'a str,
@@ -88,11 +112,51 @@ struct JsonMap<'a> {
 
 #[derive(Serialize)]
 struct JsonFacets {
+    halves: u32,
     sectors: u32,
     bands: u32,
     count: u32,
     /// Half-spaces that the capture cuts casters with.
     clips: u32,
+    /// Whether the last facet is that of receivers near a dominant plane.
+    dominant: bool,
+    /// Whether band limits are multiples of a row of each sector's own.
+    scales_thresholds: bool,
+}
+
+/// Curve that bends rows.
+fn remap_name(kind: RemapKind) -> Option<&'static str> {
+    match kind {
+        RemapKind::None => None,
+        RemapKind::Perspective => Some("perspective"),
+        RemapKind::Logarithmic => Some("logarithmic"),
+    }
+}
+
+/// How casters are drawn where rows are bent.
+#[derive(Serialize)]
+struct JsonStretch {
+    kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bound_texels: Option<f64>,
+}
+
+impl JsonStretch {
+    fn of(case: &LightCase, table: &CaseTable) -> Option<Self> {
+        let (kind, bound_texels) = match case.stretch {
+            _ if table.remap == RemapKind::None => return None,
+            Stretch::None => return None,
+            Stretch::Vertex => ("vertex", None),
+            Stretch::Exact { bound_texels } => ("exact", Some(bound_texels)),
+        };
+        Some(Self { kind, bound_texels })
+    }
+}
+
+#[derive(Serialize)]
+struct JsonDominantPlane {
+    share: f64,
+    thickness_metres: f64,
 }
 
 #[derive(Serialize)]
@@ -194,6 +258,7 @@ impl<'a> JsonGroup<'a> {
         let content = match group.content {
             GroupContent::CaptureFacet => "capture_facet",
             GroupContent::CasterMask => "caster_mask",
+            GroupContent::CasterMesh => "caster_mesh",
             GroupContent::MaskInput => "mask_input",
             GroupContent::Shadow => "shadow",
         };
@@ -212,6 +277,10 @@ impl<'a> JsonBinding<'a> {
         }
         let kind = match binding.kind {
             BindingKind::Uniform { .. } => "uniform",
+            BindingKind::MeshLayout => "mesh_layout",
+            BindingKind::MeshPositions => "mesh_positions",
+            BindingKind::MeshIndices => "mesh_indices",
+            BindingKind::MeshUvs => "mesh_uvs",
             BindingKind::Map => "map",
             BindingKind::SceneDepth => "scene_depth",
             BindingKind::SceneLinearDepth => "scene_linear_depth",

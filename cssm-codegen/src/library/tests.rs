@@ -4,7 +4,10 @@ use std::collections::BTreeSet;
 use std::process::Command;
 
 use cssm_core::LightCase;
-use cssm_core::case::{Bias, Casters, Filter, MaskDepth, MaskNormal, Resolve};
+use cssm_core::case::{
+    Bias, CaseError, Casters, DominantPlane, Filter, LightCaseBuilder, LightKind, MaskDepth, MaskNormal, Resolve,
+    Stretch,
+};
 use cssm_core::schema::Word;
 use cssm_core::table::{CaseTable, ShaderKind};
 
@@ -12,11 +15,13 @@ use super::{LIBRARY, pick};
 use crate::compose::Prefix;
 use crate::{generate, judge, prelude, wgsl};
 
-const SHADERS: [ShaderKind; 6] = [
+const SHADERS: [ShaderKind; 8] = [
     ShaderKind::Capture,
     ShaderKind::CaptureClamped,
     ShaderKind::CaptureTested,
     ShaderKind::CaptureTestedClamped,
+    ShaderKind::CaptureBent,
+    ShaderKind::CaptureBentTested,
     ShaderKind::Mask,
     ShaderKind::Function,
 ];
@@ -37,6 +42,7 @@ impl Variant {
 fn variants() -> Vec<Variant> {
     let mut variants: Vec<_> = resolve_cases().into_iter().map(Variant::of).collect();
     variants.extend(["face_columns", "four_plane"].map(tested));
+    variants.extend(exact());
     variants
 }
 
@@ -44,6 +50,19 @@ fn variants() -> Vec<Variant> {
 fn tested(configuration: &'static str) -> Variant {
     let case = LightCase::builder("Sun").casters(Casters::AlphaTested);
     Variant::of(case.configurations(&[configuration]).build().unwrap())
+}
+
+/// Cases that decide casters texel by texel, in every way.
+fn exact() -> Vec<Variant> {
+    let case = |distribution, configurations: &[&'static str]| {
+        let case = LightCase::builder("Sun").casters(Casters::AlphaTested).configurations(configurations);
+        case.distribution(Word::plain(distribution)).stretch(Stretch::Exact { bound_texels: 0.25 }).build()
+    };
+    let configurations = [&["one_plane"][..], &["one_plane", "four_plane"]];
+    let all = configurations.into_iter().flat_map(|configurations| {
+        ["perspective", "two_segment"].map(|distribution| case(distribution, configurations))
+    });
+    all.map(|case| Variant::of(case.unwrap())).collect()
 }
 
 /// Cases that together take every alternative of the slots of resolving.
@@ -58,6 +77,7 @@ fn resolve_cases() -> Vec<LightCase> {
     let filters = [Filter::None, Filter::Hardware2x2, Filter::Gather2x2];
     let mut cases = Vec::new();
     for bias in biases {
+        cases.extend(local_and_bent(&|| LightCase::builder("Reference").bias(bias)));
         for filter in filters {
             let normals = match bias.reads_normal() {
                 true => &[MaskNormal::Reconstructed, MaskNormal::Texture][..],
@@ -78,6 +98,30 @@ fn resolve_cases() -> Vec<LightCase> {
         }
     }
     cases.into_iter().collect::<Result<_, _>>().unwrap()
+}
+
+/// Local lights, bent rows and dominant planes, in every way that the shaders tell apart.
+fn local_and_bent(case: &dyn Fn() -> LightCaseBuilder) -> Vec<Result<LightCase, Vec<CaseError>>> {
+    let stretch = Stretch::Exact { bound_texels: 0.25 };
+    let plane = DominantPlane { share: 0.25, thickness_metres: 1.0 };
+    let omni = || case().light(LightKind::Omni);
+    let bent = |case: LightCaseBuilder, distribution: &'static str| {
+        case.configurations(&["one_plane"]).distribution(Word::plain(distribution)).stretch(stretch)
+    };
+    vec![
+        omni().build(),
+        omni().dominant_plane(plane).build(),
+        omni().configurations(&["one_plane"]).build(),
+        omni().configurations(&["four_plane"]).build(),
+        case().light(LightKind::Spot).configurations(&["light_projection"]).build(),
+        bent(case(), "perspective").build(),
+        bent(case(), "perspective").dominant_plane(plane).build(),
+        bent(case(), "logarithmic").dominant_plane(plane).build(),
+        bent(case(), "perspective").stretch(Stretch::Vertex).build(),
+        bent(omni(), "perspective").build(),
+        bent(omni(), "two_segment").stretch(Stretch::Vertex).build(),
+        case().configurations(&["four_plane"]).dominant_plane(plane).build(),
+    ]
 }
 
 /// The shaders of a variant.

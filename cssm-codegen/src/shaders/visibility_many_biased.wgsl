@@ -6,7 +6,7 @@
 /// flow may call it.
 fn visibility(position: vec3<f32>) -> f32 {
     let point = facet_position(position);
-    let facet = shadow.facets[facet_index(point)];
+    let facet = own_facet(point);
     let place = place_in_facet(facet, point);
     if !place.covered {
         return 1.0;

@@ -55,7 +55,8 @@ fn value(random: &mut Random, kind: &Kind) -> String {
                 count(random, min, max)
             }
         }
-        Kind::Number { min, max, unit, .. } => {
+        Kind::NumberOr { choices, .. } if random.below(2) == 0 => word(random, choices),
+        Kind::Number { min, max, unit, .. } | Kind::NumberOr { min, max, unit, .. } => {
             // Draw inside the range, over at most four decades.
             let top = if max.is_finite() { max } else { min + 1e4 };
             let number = (min + (top - min) * 10_f64.powf(-4.0 * random.unit()) * 0.999).clamp(min, top);

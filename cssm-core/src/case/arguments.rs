@@ -1,8 +1,8 @@
 //! Between a light case and the arguments of its declaration, both ways.
 
 use super::{
-    Axes, Bias, Casters, DepthFormat, FarKind, Filter, LightCase, LightKind, MapSpec, MaskDepth, MaskNormal,
-    Resolve,
+    Axes, Bias, Casters, DepthFormat, DominantPlane, FarKind, Filter, LightCase, LightKind, MapSpec,
+    MaskDepth, MaskNormal, Resolve, Stretch,
 };
 use crate::schema::{Arguments, Value, Word};
 
@@ -20,18 +20,17 @@ impl LightCase {
             ("format", Value::Word(Word::plain(self.map.format.name()))),
             ("gutter", auto_or(self.map.gutter)),
         ]);
-        let light = match self.light {
-            LightKind::Directional => "directional",
-        };
         let bounds = if self.scene_bounds { "scene" } else { "none" };
         let fields = [
-            ("light", Some(Value::Word(Word::plain(light)))),
+            ("light", Some(Value::Word(Word::plain(self.light.name())))),
             ("view", Some(Value::Word(self.far.view_word()))),
             ("shadow_distance", self.shadow_distance_metres.map(Value::Number)),
             ("bounds", Some(Value::Word(Word::plain(bounds)))),
             ("technique", Some(Value::Word(self.technique.clone()))),
             ("configurations", Some(Value::Words(self.configurations.clone()))),
             ("distribution", self.distribution.clone().map(Value::Word)),
+            ("stretch", Some(Value::Word(self.stretch.word()))),
+            ("dominant_plane", Some(Value::Word(DominantPlane::word(self.dominant_plane)))),
             ("map", Some(Value::Group(map))),
             ("filter", Some(Value::Word(Word::plain(self.filter.name())))),
             ("bias", Some(Value::Word(self.bias.word()))),
@@ -58,6 +57,53 @@ impl FarKind {
             Some("finite") => Self::Finite,
             _ => Self::Infinite,
         }
+    }
+}
+
+impl LightKind {
+    pub(super) fn of_word(word: Option<&Word>) -> Self {
+        match word.map(|word| word.name) {
+            Some("spot") => Self::Spot,
+            Some("omni") => Self::Omni,
+            _ => Self::Directional,
+        }
+    }
+}
+
+impl Stretch {
+    pub(super) fn word(self) -> Word {
+        match self {
+            Self::None => Word::plain("none"),
+            Self::Vertex => Word::plain("vertex"),
+            Self::Exact { bound_texels } => Word::with("exact", [("bound", Value::Number(bound_texels))]),
+        }
+    }
+
+    /// Reads a word whose defaults are filled in.
+    pub(super) fn of_word(word: &Word) -> Self {
+        match word.name {
+            "vertex" => Self::Vertex,
+            "exact" => Self::Exact { bound_texels: word.arguments.number("bound").unwrap_or(DEFAULT_BOUND) },
+            _ => Self::None,
+        }
+    }
+}
+
+/// Bound of exact stretching where a declaration holds none, texels.
+pub(super) const DEFAULT_BOUND: f64 = 0.25;
+
+impl DominantPlane {
+    pub(super) fn word(plane: Option<Self>) -> Word {
+        let Some(Self { share, thickness_metres }) = plane else { return Word::plain("none") };
+        let arguments = [("share", Value::Number(share)), ("thickness", Value::Number(thickness_metres))];
+        Word::with("share", arguments)
+    }
+
+    /// Reads a word whose defaults are filled in.
+    pub(super) fn of_word(word: Option<&Word>) -> Option<Self> {
+        let word = word.filter(|word| word.name == "share")?;
+        let number = |name: &str| word.arguments.number(name);
+        Some(Self { share: number("share")?, thickness_metres: number("thickness")? })
     }
 }
 

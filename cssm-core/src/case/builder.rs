@@ -1,6 +1,9 @@
 //! The Rust door to a light case.
 
-use super::{Axes, Bias, CaseError, Casters, DepthFormat, FarKind, Filter, LightCase, Resolve};
+use super::{
+    Axes, Bias, CaseError, Casters, DepthFormat, DominantPlane, FarKind, Filter, LightCase, LightKind,
+    Resolve, Stretch,
+};
 use crate::schema::{Arguments, Value, Word};
 
 /// A declaration in Rust; every field has the default of the text grammar.
@@ -28,6 +31,11 @@ impl LightCaseBuilder {
     pub fn public(mut self, public: bool) -> Self {
         self.public = public;
         self
+    }
+
+    /// Kind of light.
+    pub fn light(self, light: LightKind) -> Self {
+        self.set("light", Value::Word(Word::plain(light.name())))
     }
 
     /// How far views reach.
@@ -70,6 +78,16 @@ impl LightCaseBuilder {
     pub fn bands(self, count: u32, horizon_metres: f64) -> Self {
         let arguments = [("count", Value::Count(count)), ("horizon", Value::Number(horizon_metres))];
         self.set("distribution", Value::Word(Word::with("bands", arguments)))
+    }
+
+    /// How casters are drawn where the distribution bends rows.
+    pub fn stretch(self, stretch: Stretch) -> Self {
+        self.set("stretch", Value::Word(stretch.word()))
+    }
+
+    /// A facet of its own for receivers near a plane.
+    pub fn dominant_plane(self, plane: DominantPlane) -> Self {
+        self.set("dominant_plane", Value::Word(DominantPlane::word(Some(plane))))
     }
 
     /// Size of the whole map in texels.

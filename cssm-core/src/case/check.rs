@@ -1,10 +1,12 @@
 //! From arguments to a light case: the schema's checks, defaults, contradictions.
 
+use super::arguments::DEFAULT_BOUND;
 use super::names::{default_prefix, is_camel_case, is_prefix, upper_camel};
 use super::{
-    Axes, Bias, CaseError, Casters, FIELDS, FarKind, Filter, LightCase, LightKind, MapSpec, MaskNormal,
-    Resolve,
+    Axes, Bias, CaseError, Casters, DominantPlane, FIELDS, FarKind, Filter, LightCase, LightKind, MapSpec,
+    MaskNormal, Resolve, Stretch,
 };
+use crate::distribution::{self, RemapKind};
 use crate::schema::{self, Arguments, Choice, Field, Kind, Value, Word};
 use crate::technique;
 
@@ -38,7 +40,9 @@ pub(super) fn from_arguments(
 /// Other fields that a contradiction at a field involves.
 pub(super) fn related(field: &str) -> &'static [&'static str] {
     match field {
-        "configurations" => &["technique"],
+        "light" => &["technique"],
+        "configurations" => &["technique", "light"],
+        "stretch" => &["distribution"],
         "distribution" => &["technique", "configurations"],
         "technique" => &["view", "shadow_distance", "bounds"],
         "map.gutter" => &["filter"],
@@ -83,7 +87,31 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
             ));
         }
     }
+    let light = LightKind::of_word(arguments.word("light"));
+    for word in &configurations {
+        let known = spec.configurations.iter().find(|known| known.choice.name == word.name);
+        if known.is_some_and(|known| !known.lights.contains(&light)) {
+            let serving: Vec<_> = spec.serving(light).map(|name| format!("`{name}`")).collect();
+            errors.push(error(
+                "configurations",
+                format!("configuration `{}` is not made for a light of kind `{}`", word.name, light.name()),
+                match serving.is_empty() {
+                    true => format!(
+                        "declare another light; technique `{}` serves none of this kind",
+                        technique.name
+                    ),
+                    false => format!("use {}", serving.join(", ")),
+                },
+            ));
+        }
+    }
     if configurations.is_empty() {
+        let defaults = (spec.default_configurations)(light);
+        configurations.extend(defaults.iter().map(|name| spec.configuration(name).choice.word()));
+    }
+    if configurations.is_empty() {
+        let message = format!("technique `{}` serves no light of kind `{}`", technique.name, light.name());
+        errors.push(error("light", message, "use technique `camera_space`, or declare another light"));
         configurations.extend(spec.configurations.first().map(|first| first.choice.word()));
     }
     let takes_distribution = |word: &Word| spec.configuration(word.name).takes_distribution;
@@ -100,18 +128,22 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
         (None, default) => default.and_then(default_distribution),
     };
 
+    let stretch = stretch(arguments.word("stretch"), distribution.as_ref(), &mut errors);
+
     // Read the rest.
     let case = LightCase {
         name: name.into(),
         doc: tidy(doc),
         public,
-        light: LightKind::Directional,
+        light,
         far: FarKind::of_view(arguments.word("view")),
         shadow_distance_metres: arguments.number("shadow_distance"),
         scene_bounds: arguments.word("bounds").is_some_and(|word| word.name == "scene"),
         technique,
         configurations,
         distribution,
+        stretch,
+        dominant_plane: DominantPlane::of_word(arguments.word("dominant_plane")),
         map: MapSpec::of_group(arguments.group("map")),
         filter: Filter::of_word(arguments.word("filter")),
         bias: Bias::of_word(arguments.word("bias")),
@@ -150,6 +182,29 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
         ));
     }
     (case, errors)
+}
+
+/// How rows are bent: as declared, or as the distribution needs.
+fn stretch(declared: Option<&Word>, distribution: Option<&Word>, errors: &mut Vec<CaseError>) -> Stretch {
+    let spec = distribution.and_then(|word| distribution::spec(word.name));
+    let bends = spec.is_some_and(|spec| spec.bent != RemapKind::None);
+    let needs = spec.is_some_and(|spec| !spec.straight);
+    let name = distribution.map_or("none", |word| word.name);
+    match declared.map(Stretch::of_word) {
+        None if needs => Stretch::Exact { bound_texels: DEFAULT_BOUND },
+        None => Stretch::None,
+        Some(Stretch::None) if needs => {
+            let message = format!("distribution `{name}` bends rows, but `stretch: none` is declared");
+            errors.push(error("stretch", message, "use `exact` or `vertex`, or distribution `bands`"));
+            Stretch::None
+        }
+        Some(stretch) if stretch != Stretch::None && !bends => {
+            let message = format!("distribution `{name}` bends no rows, so there is nothing to stretch");
+            errors.push(error("stretch", message, "leave `stretch` out, or use distribution `perspective`"));
+            Stretch::None
+        }
+        Some(stretch) => stretch,
+    }
 }
 
 /// The default distribution of a technique, such as `bands(8)`, with the schema's arguments.
@@ -192,7 +247,9 @@ fn check_value(kind: &Kind, value: &Value, path: &str, errors: &mut Vec<CaseErro
         errors.push(error(path, fault.message, fault.remedy));
     }
     match (kind, value) {
-        (Kind::Choice(choices), Value::Word(word)) => check_word(kind, choices, word, path, errors),
+        (Kind::Choice(choices) | Kind::NumberOr { choices, .. }, Value::Word(word)) => {
+            check_word(kind, choices, word, path, errors)
+        }
         (Kind::ChoiceList(choices), Value::Words(words)) => {
             for word in words {
                 check_word(kind, choices, word, &join(path, word.name), errors);

@@ -38,7 +38,11 @@ pub const FIELDS: &[Field] = &[
     Field {
         name: "light",
         summary: "kind of light",
-        kind: Kind::Choice(&[Choice::plain("directional", "parallel rays, such as the sun's")]),
+        kind: Kind::Choice(&[
+            Choice::plain("directional", "parallel rays, such as the sun's"),
+            Choice::plain("spot", "rays from a point within a cone"),
+            Choice::plain("omni", "rays from a point to all sides"),
+        ]),
         default: Default::Value("directional"),
     },
     Field {
@@ -81,13 +85,61 @@ pub const FIELDS: &[Field] = &[
         name: "configurations",
         summary: "geometric situations that may occur, best first",
         kind: Kind::ChoiceList(technique::CONFIGURATIONS),
-        default: Default::Absent("the first configuration of the technique"),
+        default: Default::Absent("those of the technique that serve every position of the light"),
     },
     Field {
         name: "distribution",
         summary: "how map rows are spent over depth",
         kind: Kind::Choice(distribution::CHOICES),
         default: Default::Absent("`bands(8)` where a declared configuration takes one, nothing elsewhere"),
+    },
+    Field {
+        name: "stretch",
+        summary: "how casters are drawn where the distribution bends rows",
+        kind: Kind::Choice(&[
+            Choice::plain("none", "rows are not bent: every facet is a homography"),
+            Choice::plain(
+                "vertex",
+                "only triangle corners are bent; fast, wrong for triangles that span many rows",
+            ),
+            Choice {
+                name: "exact",
+                summary: "triangles that straight edges would miss by more than the bound are decided per pixel",
+                arguments: &[Field {
+                    name: "bound",
+                    summary: "the bound",
+                    kind: Kind::Number { min: 0.0, max: 64.0, open: false, unit: Unit::Texels },
+                    default: Default::Value("0.25 texels"),
+                }],
+            },
+        ]),
+        default: Default::Absent("`exact` where the distribution needs bent rows, `none` elsewhere"),
+    },
+    Field {
+        name: "dominant_plane",
+        summary: "facet of its own for receivers near a plane that plans are given: one texel for each pixel",
+        kind: Kind::Choice(&[
+            Choice::plain("none", "no plane is set apart"),
+            Choice {
+                name: "share",
+                summary: "a share of the map",
+                arguments: &[
+                    Field {
+                        name: "share",
+                        summary: "the share",
+                        kind: Kind::Number { min: 0.0, max: 0.9, open: true, unit: Unit::None },
+                        default: Default::Value("0.25"),
+                    },
+                    Field {
+                        name: "thickness",
+                        summary: "distance from the plane within which receivers count as on it",
+                        kind: Kind::Number { min: 0.0, max: 1e6, open: true, unit: Unit::Length },
+                        default: Default::Value("1 m"),
+                    },
+                ],
+            },
+        ]),
+        default: Default::Value("none"),
     },
     Field {
         name: "map",

@@ -1,7 +1,8 @@
-//! Bands: the logarithm of distance in equal steps, each step affine in 1 / distance. Straight lines stay straight, so
-//! ordinary rasterisation is exact; the last band reaches to infinity where the view does.
+//! Bands: the logarithm of distance in equal steps, each step affine in 1 / (distance + push-back). Straight lines
+//! stay straight, so ordinary rasterisation is exact; the last band reaches to infinity where the view does.
 
-use super::{DistanceRange, DistributionSpec, Piece};
+use super::{DistanceRange, DistributionSpec, Piece, RemapKind};
+use crate::remap::Curve;
 use crate::schema::{Arguments, Choice, Default, Field, Kind, Unit};
 
 pub(super) const SPEC: DistributionSpec = DistributionSpec {
@@ -15,34 +16,53 @@ pub(super) const SPEC: DistributionSpec = DistributionSpec {
                 kind: Kind::Count { min: 1, max: 16 },
                 default: Default::Value("8"),
             },
-            Field {
-                name: "horizon",
-                summary: "depth up to which bands have equal ratios when the far plane is infinite",
-                kind: Kind::Number { min: 0.0, max: 1e9, open: true, unit: Unit::Length },
-                default: Default::Value("100 km"),
-            },
+            HORIZON,
         ],
     },
     pieces: count,
+    bent: RemapKind::None,
+    straight: true,
     split,
 };
 
+/// Where an infinite far plane stands in for.
+pub(super) const HORIZON: Field = Field {
+    name: "horizon",
+    summary: "depth up to which rows follow the logarithm when the far plane is infinite",
+    kind: Kind::Number { min: 0.0, max: 1e9, open: true, unit: Unit::Length },
+    default: Default::Value("100 km"),
+};
+/// Horizon where a declaration holds none, metres.
+const DEFAULT_HORIZON_METRES: f64 = 1e5;
 /// Distance, in cores, that counts as below zero.
 const BELOW_ZERO: f64 = 1e-9;
+
+/// Push-back in geometric means of a band's ends: rows grow less along the band, the far end narrows.
+const PUSH_BACK: f64 = 0.6;
+/// Further push-back for slant beyond the ratio of the band's ends, in far ends.
+const RAISING: f64 = 0.3;
+/// Most of it; keeps rows apart from uniform ones.
+const MOST_RAISED: f64 = 1e3;
+/// Widest near end that is paid for raising, in widths of the far end.
+const WIDEST: f64 = 10.0;
 
 fn count(arguments: &Arguments) -> u32 {
     arguments.count("count").unwrap_or(8)
 }
 
+/// The declared horizon, beyond a start.
+pub(super) fn horizon(arguments: &Arguments, start: f64) -> f64 {
+    arguments.number(HORIZON.name).unwrap_or(DEFAULT_HORIZON_METRES).max(2.0 * start)
+}
+
 fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
     let count = count(arguments);
-    let horizon = arguments.number("horizon").unwrap_or(1e5);
     let core = range.core_metres;
 
     // Equal ratios of distance + core; with an infinite far plane the ratio is that up to the horizon.
     let start = range.nearest_metres + core;
     let farthest = range.farthest_metres;
-    let end = if farthest.is_finite() { farthest + core } else { horizon.max(2.0 * start) };
+    let end = if farthest.is_finite() { farthest + core } else { horizon(arguments, start) };
     let ratio = libm::pow(end / start, 1.0 / f64::from(count));
     let limit = |index: u32| match index {
         0 => range.nearest_metres,
@@ -52,10 +72,25 @@ fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
 
     // Only the nearest band sees the difference between distance and depth, unless distances fall below zero.
     let below_zero = range.nearest_metres < -BELOW_ZERO * core;
-    let piece = |index: u32| Piece {
-        nearest_metres: limit(index),
-        farthest_metres: limit(index + 1),
-        push_back_metres: if index == 0 || below_zero { core } else { 0.0 },
+    let piece = |index: u32| {
+        let from_core = if index == 0 || below_zero { core } else { 0.0 };
+        let far_end = start * libm::pow(ratio, f64::from(index + 1));
+        let farthest_metres = limit(index + 1);
+        // Lines that run to infinity cannot be raised there.
+        let raised = if farthest_metres.is_finite() { raised(ratio, range.slant) } else { 0.0 };
+        Piece {
+            nearest_metres: limit(index),
+            farthest_metres,
+            push_back_metres: from_core + far_end * (PUSH_BACK / ratio.sqrt() + raised),
+            curve: Curve::Straight,
+            weight: 1.0,
+        }
     };
     (0..count).map(piece).collect()
+}
+
+/// Push-back, in far ends, that raises lines of a slant. A push-back r widens the near end by (1 + ratio r) / (1 + r).
+fn raised(ratio: f64, slant: f64) -> f64 {
+    let most = if ratio > WIDEST { (WIDEST - 1.0) / (ratio - WIDEST) } else { f64::INFINITY };
+    (RAISING * (slant - ratio)).clamp(0.0, most.min(MOST_RAISED))
 }

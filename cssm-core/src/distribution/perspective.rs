@@ -1,46 +1,68 @@
 //! Perspective: one piece, seen from an eye that is pushed back until a share of the rows lies before a focus distance
 //! (camera space shadow maps, section 3; any share).
+//!
+//! Straight, the whole map is seen from there, which also narrows it towards the eye. Bent, only the rows are (section
+//! 4: stretching): what lies across keeps the view's own width, and no texel is wasted.
 
-use super::{DistanceRange, DistributionSpec, Piece};
+use super::{DistanceRange, DistributionSpec, Piece, RemapKind, folds};
+use crate::focus::{self, Focus};
+use crate::remap::Curve;
 use crate::schema::{Arguments, Choice, Default, Field, Kind, Unit};
 
 pub(super) const SPEC: DistributionSpec = DistributionSpec {
     choice: Choice {
         name: "perspective",
         summary: "one perspective whose eye is pushed back until a share of the rows lies before the focus",
-        arguments: &[
-            Field {
-                name: "focus",
-                summary: "the focus distance",
-                kind: Kind::Number { min: 0.0, max: 1e9, open: true, unit: Unit::Length },
-                default: Default::Value("10 m"),
-            },
-            Field {
-                name: "share",
-                summary: "share of the rows before the focus",
-                kind: Kind::Number { min: 0.0, max: 1.0, open: true, unit: Unit::None },
-                default: Default::Value("0.5"),
-            },
-        ],
+        arguments: &[focus::FIELD, SHARE, folds::field(1, "1")],
     },
-    pieces: |_| 1,
+    pieces: folds::count,
+    bent: RemapKind::Perspective,
+    straight: true,
     split,
 };
 
+/// Share of the rows before the focus.
+pub(super) const SHARE: Field = Field {
+    name: "share",
+    summary: "share of the rows before the focus",
+    kind: Kind::Number { min: 0.0, max: 1.0, open: true, unit: Unit::None },
+    default: Default::Value("0.5"),
+};
+/// Push-back of bent rows in farthest distances at most: what is uniform to f32.
+const FARTHEST_PUSH_BACK: f64 = 10.0;
+
 fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
-    let focus = arguments.number("focus").unwrap_or(10.0);
-    let share = arguments.number("share").unwrap_or(0.5);
-    vec![perspective_piece(focus, share, range)]
+    let focus = Focus::of(arguments).metres(range.eye_height_metres);
+    let whole = perspective_piece(focus, share(arguments), range);
+    folds::folded(whole, whole.curve, whole.push_back_metres, folds::count(arguments))
+}
+
+/// The declared share.
+pub(super) fn share(arguments: &Arguments) -> f64 {
+    arguments.number(SHARE.name).unwrap_or(0.5)
 }
 
 /// A whole column with `share` of its rows before `focus_metres`.
+///
+/// Where the light does not reach the eye, receivers begin at n' beyond the near plane. The paper then moves the focus to
+/// (1 - n'/far) F + n' (section 6.2), which for n' >= F asks for an eye before its own place. Here the push-back of
+/// the whole view is kept, so that a receiver's rows do not depend on where the light ends.
 pub fn perspective_piece(focus_metres: f64, share: f64, range: &DistanceRange) -> Piece {
     let core = range.core_metres;
-    let (near, far) = (range.nearest_metres + core, range.farthest_metres + core);
+    let near = range.unlit_near_metres.unwrap_or(range.nearest_metres + core);
+    let far = range.farthest_metres + core;
+    let push_back = push_back_metres(focus_metres, share, near, far);
+    let farthest = if far.is_finite() { FARTHEST_PUSH_BACK * far } else { f64::INFINITY };
+    let (own, curve) = match range.bends {
+        true => (0.0, Curve::Perspective { push_back_metres: push_back.min(farthest) }),
+        false => (push_back, Curve::Straight),
+    };
     Piece {
         nearest_metres: range.nearest_metres,
         farthest_metres: range.farthest_metres,
-        push_back_metres: core + push_back_metres(focus_metres, share, near, far),
+        push_back_metres: core + own,
+        curve,
+        weight: 1.0,
     }
 }
 

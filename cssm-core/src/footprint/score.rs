@@ -43,7 +43,7 @@ pub fn score_volume(plan: &ShadowPlan, view: &View, far_metres: f64, samples: us
         let point = world_from_camera * point;
         let accepting = plan.facets.iter().filter(|facet| accepts(facet, point)).count();
         multiply_assigned += usize::from(accepting > 1);
-        let facet = plan.facet(plan.selection.facet(point.extend(1.0)));
+        let facet = plan.facet(plan.selection.cell(point.extend(1.0)));
         let Some(facet) = facet.filter(|facet| in_window(facet, point)) else {
             unassigned += 1;
             continue;
@@ -78,7 +78,7 @@ fn in_window(facet: &Facet, point_from_eye: DVec3) -> bool {
     let w = facet.rows.w.dot(point);
     let inner = |side: u32| f64::from(side - 2 * facet.tile.gutter) / f64::from(side) + 1e-9;
     let x = facet.rows.x.dot(point) / w;
-    let y = facet.rows.y.dot(point) / w;
+    let y = facet.rows.remap.y(facet.rows.y.dot(point) / w);
     let clipped = |clip: &DVec4| clip.dot(point) < 0.0;
     w > 0.0
         && !facet.clip.iter().any(clipped)

@@ -1,88 +1,30 @@
-//! Which tiles share a strip, and whole-texel sides that fill the map.
+//! Strips side by side, tiles end to end: whole-texel sides that fill the map.
 
 use super::MapArea;
 use crate::facet::Tile;
 
-/// A tile's area in texels and the width it would like across the strip.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Wish {
-    pub(super) area: f64,
-    pub(super) across: f64,
+/// Tiles end to end along the map; sides are wishes, in proportion.
+#[derive(Debug, Clone)]
+pub(super) struct Strip {
+    /// Side across the strip.
+    pub(super) side: f64,
+    /// Index of each tile and its side along the strip.
+    pub(super) tiles: Vec<(usize, f64)>,
 }
 
-/// Tiles of each strip, in order.
-pub(super) type Partition = Vec<Vec<usize>>;
-
-/// Splits the wishes, ordered by width, into strips so that widths differ least from those wished. `length` is the
-/// strips' length; `count` their number, if declared. Cost is the area-weighted squared logarithm of the misfit.
-pub(super) fn partition(wishes: &[Wish], length: f64, count: Option<u32>) -> Partition {
-    let mut order: Vec<usize> = (0..wishes.len()).collect();
-    order.sort_by(|one, two| wishes[*two].across.total_cmp(&wishes[*one].across).then(one.cmp(two)));
-
-    // Cost of a strip of neighbours, from running sums of area, area log(width) and area log(width)^2.
-    let mut sums = vec![(0.0, 0.0, 0.0)];
-    for index in &order {
-        let (wish, last) = (&wishes[*index], sums[sums.len() - 1]);
-        let logarithm = libm::log(wish.across);
-        let weighted = wish.area * logarithm;
-        sums.push((last.0 + wish.area, last.1 + weighted, last.2 + weighted * logarithm));
-    }
-    let cost = |from: usize, to: usize| -> f64 {
-        let (start, end) = (sums[from], sums[to]);
-        let (area, first, second) = (end.0 - start.0, end.1 - start.1, end.2 - start.2);
-        let across = libm::log(area / length);
-        (area * across - 2.0 * first) * across + second
-    };
-
-    // best[s][i]: least cost of the first i tiles in s strips.
-    let tiles = wishes.len();
-    let strips = count.map_or(tiles, |count| (count as usize).min(tiles));
-    let costs: Vec<Vec<f64>> = (0..=tiles).map(|to| (0..to).map(|from| cost(from, to)).collect()).collect();
-    let mut best = vec![vec![(f64::INFINITY, 0); tiles + 1]; strips + 1];
-    best[0][0].0 = 0.0;
-    for strip in 1..=strips {
-        for to in 1..=tiles {
-            for from in 0..to {
-                let total = best[strip - 1][from].0 + costs[to][from];
-                if total < best[strip][to].0 {
-                    best[strip][to] = (total, from);
-                }
-            }
-        }
-    }
-    let fewest = if count.is_some() { strips } else { 1 };
-    let chosen = (fewest..=strips).min_by(|one, two| best[*one][tiles].0.total_cmp(&best[*two][tiles].0));
-    let mut strip = chosen.unwrap_or(0);
-    let mut parts = Vec::with_capacity(strip);
-    let mut to = tiles;
-    while strip > 0 {
-        let from = best[strip][to].1;
-        parts.push(order[from..to].to_vec());
-        (to, strip) = (from, strip - 1);
-    }
-    parts.reverse();
-    parts
-}
-
-/// Whole-texel tiles of a partition: strips side by side across the map, tiles end to end along each. `None` when the
+/// Whole-texel tiles of strips side by side: across the map's width, or its height unless `upright`. `None` when the
 /// smallest sides do not fit.
-pub(super) fn tiles(
-    partition: &Partition,
-    areas: &[f64],
-    area: &MapArea,
-    upright: bool,
-) -> Option<Vec<Tile>> {
+pub(super) fn tiles(strips: &[Strip], count: usize, area: &MapArea, upright: bool) -> Option<Vec<Tile>> {
     let (across, along) = if upright { (area.width, area.height) } else { (area.height, area.width) };
-    let strip_areas: Vec<f64> =
-        partition.iter().map(|strip| strip.iter().map(|index| areas[*index]).sum()).collect();
-    let strip_sides = share(&strip_areas, across, area.smallest_side())?;
-    let mut tiles = vec![Tile { x: 0, y: 0, width: 0, height: 0, gutter: area.gutter }; areas.len()];
+    let wishes: Vec<f64> = strips.iter().map(|strip| strip.side).collect();
+    let strip_sides = share(&wishes, across, area.smallest_side())?;
+    let mut tiles = vec![Tile { x: 0, y: 0, width: 0, height: 0, gutter: area.gutter }; count];
     let mut strip_start = 0;
-    for (strip, strip_side) in partition.iter().zip(strip_sides) {
-        let wishes: Vec<f64> = strip.iter().map(|index| areas[*index]).collect();
+    for (strip, strip_side) in strips.iter().zip(strip_sides) {
+        let wishes: Vec<f64> = strip.tiles.iter().map(|(_, side)| *side).collect();
         let sides = share(&wishes, along, area.smallest_side())?;
         let mut start = 0;
-        for (index, side) in strip.iter().zip(sides) {
+        for ((index, _), side) in strip.tiles.iter().zip(sides) {
             let tile = &mut tiles[*index];
             (tile.x, tile.y, tile.width, tile.height) = if upright {
                 (strip_start, start, strip_side, side)

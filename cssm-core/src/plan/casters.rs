@@ -21,16 +21,24 @@ pub(super) fn planes(rows: &FacetRows, tile: &Tile, receivers: &Polytope, light:
     // Around: the silhouette of the receivers in the light's view, moved out by the gutter.
     let margin = f64::from(tile.gutter).max(FEWEST_TEXELS);
     let (texel_x, texel_y) = (2.0 * margin / f64::from(tile.width), 2.0 * margin / f64::from(tile.height));
+    let reach_y = |k: f64| {
+        let y = rows.remap.y(k);
+        let reach = |y: f64| libm::fabs(rows.remap.k(y) - k);
+        reach(y + texel_y).max(reach(y - texel_y))
+    };
     let outline = polygon::outline(rows, &receivers.vertices);
     if outline.len() >= 3 {
         let next = outline.iter().cycle().skip(1);
         planes.extend(outline.iter().zip(next).map(|(one, two)| {
             let inward = (*two - *one).perp();
+            let texel_y = reach_y(one.y).max(reach_y(two.y));
             let slack = inward.x.abs() * texel_x + inward.y.abs() * texel_y;
             rows.x * inward.x + rows.y * inward.y + rows.w * (slack - inward.dot(*one))
         }));
     } else {
-        planes.extend([rows.w + rows.x, rows.w - rows.x, rows.w + rows.y, rows.w - rows.y]);
+        let (low, high) = (rows.remap.k(-1.0), rows.remap.k(1.0));
+        let (low, high) = (rows.w * low.min(high), rows.w * low.max(high));
+        planes.extend([rows.w + rows.x, rows.w - rows.x, rows.y - low, high - rows.y]);
     }
 
     // In front of the facet's w = 0 plane nothing lands in the tile.

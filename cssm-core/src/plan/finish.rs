@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::fitted::map_area;
 use super::window::Window;
 use super::{casters, region};
-use crate::case::{Bias, LightCase};
+use crate::case::{Bias, DepthFormat, LightCase};
 use crate::depth::{DepthNeeds, depth_row};
 use crate::facet::{Facet, FacetRows, Tile};
 use crate::footprint::quantile;
@@ -23,6 +23,11 @@ const PLANE_EXTENSION_TEXELS: f64 = 2.0;
 /// Receivers so deep that the whole facet spans less than 1 / this many pixels at their depth need no depth of their own:
 /// they lie that close to the light's own direction, or its opposite, as seen from the eye.
 const FARTHEST_PIXELS: f64 = 2.0;
+/// Nearest receivers of a local light, in median distances, in a float map: depth is 1 / distance, which floats hold at
+/// any scale.
+const NEAR_SHARE_FLOAT: f64 = 1e-6;
+/// The same in a map of 16-bit integers, whose steps are even in 1 / distance.
+const NEAR_SHARE_UNORM: f64 = 0.02;
 /// Tangent of the steepest surface that keeps room for a slope bias.
 const STEEPEST_SLOPE: f64 = 20.0;
 
@@ -35,14 +40,14 @@ pub(super) struct DepthRules {
     pub(super) shear: DVec2,
 }
 
-/// Finishes the facet of an index, in camera space.
+/// Finishes a facet in camera space; also says how far rounding moves its depth, in float steps and texels.
 pub(super) fn finish(
     window: &Window<'_>,
     tile: Tile,
-    index: u32,
+    cells: Vec<u32>,
     rules: DepthRules,
     situation: &Situation<'_>,
-) -> Result<Facet, PlanError> {
+) -> Result<(Facet, f64), PlanError> {
     // Keep gutters free.
     let inset = region::inset(&window.rows, &window.draft.region, &tile);
     let (mut rows, clip) = inset.ok_or_else(|| map_area(situation.case).too_small(1))?;
@@ -58,17 +63,20 @@ pub(super) fn finish(
         receivers,
         samples: &window.samples,
         margin_metres_per_w: margin,
+        near_w: near_w(&rows, window, situation),
         farthest_metres_per_w: farthest,
         order: rules.order,
         shear: rules.shear,
     };
-    let depth = depth_row(&rows, &needs)
-        .ok_or(PlanError::Degenerate { facet: index, why: "its receivers have no extent along the light" })?;
+    let depth = depth_row(&rows, &needs).ok_or(PlanError::Degenerate {
+        facet: cells.first().copied().unwrap_or(0),
+        why: "its receivers have no extent along the light",
+    })?;
     rows.z = depth.row;
     let rounding = FLOAT_ROUNDING + 1.5 * situation.case.map.format.rounding();
 
-    Ok(Facet {
-        index,
+    let facet = Facet {
+        cells,
         rows,
         select: window.draft.select.clone(),
         clip,
@@ -77,8 +85,25 @@ pub(super) fn finish(
         tile,
         depth_per_metre: depth.depth_per_metre,
         texel_metres_per_w: texels.major,
-        receiver_plane_depth: RECEIVER_PLANE_TEXELS * texels.minor * depth.depth_per_metre + rounding,
-    })
+        receiver_plane_depth: RECEIVER_PLANE_TEXELS * texels.minor * depth.depth_per_metre,
+        rounding_depth: rounding,
+    };
+    Ok((facet, depth.rounding / texels.major.max(f64::MIN_POSITIVE)))
+}
+
+/// Smallest w of receivers of a local light, in w of the median receiver, by what a map format can tell apart.
+fn near_w(rows: &FacetRows, window: &Window<'_>, situation: &Situation<'_>) -> Option<f64> {
+    if situation.light.w == 0.0 {
+        return None;
+    }
+    let mut reached: Vec<f64> = window.samples.iter().map(|point| rows.w.dot(point.extend(1.0))).collect();
+    reached.retain(|w| *w > 0.0);
+    reached.sort_by(f64::total_cmp);
+    let share = match situation.case.map.format {
+        DepthFormat::Depth32Float => NEAR_SHARE_FLOAT,
+        DepthFormat::Depth16Unorm => NEAR_SHARE_UNORM,
+    };
+    (!reached.is_empty()).then(|| quantile(&reached, 0.5) * share)
 }
 
 /// Median texel axes across the light in metres, divided by w.

@@ -25,7 +25,7 @@ impl Fitted<'_> {
         Prediction {
             configuration: self.draft.configuration,
             form: self.draft.form,
-            p95_pixels: self.p95_pixels,
+            p95_pixels: if self.draft.complete { self.p95_pixels } else { f64::INFINITY },
         }
     }
 }
@@ -36,16 +36,29 @@ pub(super) fn fit<'a>(
     situation: &Situation<'_>,
     samples: &[DVec3],
 ) -> Result<Fitted<'a>, PlanError> {
-    let (windows, outside) = window::fit(draft, situation, samples);
-    let area = map_area(situation.case);
+    let (mut windows, outside) = window::fit(draft, situation, samples);
+    let whole = map_area(situation.case);
+
+    // The dominant plane's facet takes a strip over the whole width: it is as wide as the screen.
+    let strip = windows.iter().any(|window| window.draft.is_dominant()).then(|| {
+        let share = situation.case.dominant_plane.map_or(0.0, |plane| plane.share);
+        let height = (f64::from(whole.height) * share).round() as u32;
+        height.clamp(
+            whole.smallest_side().min(whole.height),
+            whole.height.saturating_sub(whole.smallest_side()),
+        )
+    });
+    let area = MapArea { height: whole.height - strip.unwrap_or(0), ..whole };
+    let strip =
+        strip.map(|height| Tile { x: 0, y: area.height, width: whole.width, height, gutter: whole.gutter });
 
     // One demand for each tile: a facet's own, or a square's.
     let mut demands: Vec<TileDemand> = Vec::new();
     let mut squares: Vec<(u32, usize)> = Vec::new();
     let mut places = Vec::with_capacity(windows.len());
-    for window in &windows {
+    for window in windows.iter().filter(|window| !window.draft.is_dominant()) {
         let known = match window.draft.region {
-            Region::Tile(_) => None,
+            Region::Tile(_) | Region::Whole(_) => None,
             Region::Triangle { square, .. } => squares.iter().find(|(known, _)| *known == square),
         };
         let place = match known {
@@ -64,7 +77,17 @@ pub(super) fn fit<'a>(
         places.push(place);
     }
     let placed = if demands.is_empty() { Vec::new() } else { layout::place(&demands, &area)? };
-    let tiles: Vec<Tile> = places.into_iter().map(|place| placed[place]).collect();
+    let mut places = places.into_iter();
+    let tile = |window: &mut Window<'_>| match strip {
+        Some(strip) if window.draft.is_dominant() => Some(strip),
+        _ => places.next().map(|place| {
+            if placed[place].turned {
+                window.turn();
+            }
+            placed[place].tile
+        }),
+    };
+    let tiles: Vec<Tile> = windows.iter_mut().filter_map(tile).collect();
 
     // Predict over the view's own samples, not over those added where a facet had few.
     let mut footprints = vec![f64::INFINITY; outside];

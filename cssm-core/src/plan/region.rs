@@ -12,9 +12,14 @@ const SMALLEST_RADIUS_TEXELS: f64 = 1.0;
 /// half-spaces that casters are cut with. `None` when the gutters leave nothing.
 pub(super) fn inset(rows: &FacetRows, region: &Region, tile: &Tile) -> Option<(FacetRows, Vec<DVec4>)> {
     match region {
-        Region::Tile(_) => {
+        Region::Tile(_) | Region::Whole(_) => {
             let inner = |side: u32| f64::from(side - 2 * tile.gutter) / f64::from(side);
-            let rows = FacetRows { x: rows.x * inner(tile.width), y: rows.y * inner(tile.height), ..*rows };
+            let across = rows.x * inner(tile.width);
+            let rows = if rows.remap.is_none() {
+                FacetRows { x: across, y: rows.y * inner(tile.height), ..*rows }
+            } else {
+                FacetRows { x: across, remap: rows.remap.scaled(inner(tile.height)), ..*rows }
+            };
             Some((rows, Vec::new()))
         }
         Region::Triangle { corners, .. } => {
@@ -49,10 +54,11 @@ pub(super) fn inset(rows: &FacetRows, region: &Region, tile: &Tile) -> Option<(F
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::remap::Remap;
     use crate::technique::TileRequest;
 
     fn identity() -> FacetRows {
-        FacetRows { x: DVec4::X, y: DVec4::Y, z: DVec4::Z, w: DVec4::W }
+        FacetRows { x: DVec4::X, y: DVec4::Y, z: DVec4::Z, w: DVec4::W, remap: Remap::NONE }
     }
 
     #[test]

@@ -7,8 +7,9 @@ use crate::homography::Gradients;
 use crate::layout::{Gram, TileDemand};
 use crate::polygon;
 use crate::receivers::DEPTH_ROW;
+use crate::remap::{Curve, Remap};
 use crate::samples::{self, SAMPLED_HORIZON_METRES};
-use crate::technique::{Draft, FacetDraft, Region, Situation};
+use crate::technique::{Draft, FacetDraft, Region, Situation, TileRequest};
 
 /// Sample receivers of a view.
 const SAMPLES: usize = 1024;
@@ -38,9 +39,23 @@ pub(super) struct Window<'a> {
 impl Window<'_> {
     pub(super) fn demand(&self) -> TileDemand {
         let request = match self.draft.region {
-            Region::Tile(request) | Region::Triangle { request, .. } => request,
+            Region::Tile(request) | Region::Whole(request) | Region::Triangle { request, .. } => request,
         };
-        TileDemand { request, samples: self.grams.clone() }
+        // Triangles of one square keep their places beside each other; bends belong to y.
+        let may_turn = matches!(self.draft.region, Region::Tile(_)) && self.rows.remap.is_none();
+        let samples = match request {
+            TileRequest::Coarser(times) => self.grams.iter().map(|gram| gram.shortened(times)).collect(),
+            _ => self.grams.clone(),
+        };
+        TileDemand { request, samples, may_turn }
+    }
+
+    /// Turns the clip space by a quarter: y runs along x.
+    pub(super) fn turn(&mut self) {
+        (self.rows.x, self.rows.y) = (self.rows.y, -self.rows.x);
+        for gram in &mut self.grams {
+            *gram = gram.turned();
+        }
     }
 }
 
@@ -56,22 +71,19 @@ pub(super) fn fit<'a>(
     samples: &[DVec3],
 ) -> (Vec<Window<'a>>, usize) {
     // Walk each sample to its facet.
-    let bands = draft.selection.bands;
-    let index = |facet: &FacetDraft| (facet.sector * bands + facet.band) as usize;
-    let count = draft.facets.iter().map(|facet| index(facet) + 1).max().unwrap_or(0);
-    let mut by_facet = vec![Vec::new(); count];
+    let owners = draft.owners();
+    let mut by_facet = vec![Vec::new(); draft.facets.len()];
     let mut outside = 0;
     for point in samples {
-        match by_facet.get_mut(draft.selection.facet(point.extend(1.0)) as usize) {
-            Some(list) => list.push(*point),
-            None => outside += 1,
+        match owners.get(draft.selection.cell(point.extend(1.0)) as usize) {
+            Some(Some(facet)) => by_facet[*facet].push(*point),
+            _ => outside += 1,
         }
     }
 
     // Fit the rows of each facet to its receivers.
     let mut windows = Vec::with_capacity(draft.facets.len());
-    for facet in &draft.facets {
-        let mut samples = std::mem::take(&mut by_facet[index(facet)]);
+    for (facet, mut samples) in draft.facets.iter().zip(by_facet) {
         let Some(rows) = rows(facet) else {
             outside += samples.len();
             continue;
@@ -98,16 +110,30 @@ fn rows(facet: &FacetDraft) -> Option<FacetRows> {
     if facet.receivers.is_empty() {
         return None;
     }
-    let (x, y) = (fitted(facet.x, facet)?, fitted(facet.y, facet)?);
-    let whole = FacetRows { x, y, z: facet.w, w: facet.w };
+    let whole = whole(facet)?;
     let outline = polygon::outline(&whole, &facet.receivers.vertices);
-    if polygon::area(&outline) <= EMPTY_AREA {
+    if polygon::area(&polygon::image(&whole, &outline)) <= EMPTY_AREA {
         return None;
     }
     Some(match facet.region {
         Region::Tile(_) => whole,
-        Region::Triangle { .. } => FacetRows { x: facet.x, y: facet.y, z: facet.w, w: facet.w },
+        Region::Whole(_) | Region::Triangle { .. } => {
+            FacetRows { x: facet.x, y: facet.y, z: facet.w, w: facet.w, remap: Remap::NONE }
+        }
     })
+}
+
+/// The rows of a facet fitted to its receivers, where they have an extent.
+fn whole(facet: &FacetDraft) -> Option<FacetRows> {
+    let x = fitted(facet.x, facet)?;
+    if facet.curve == Curve::Straight {
+        let y = fitted(facet.y, facet)?;
+        return Some(FacetRows { x, y, z: facet.w, w: facet.w, remap: Remap::NONE });
+    }
+    // Bent rows keep 1 / distance and fit what it goes through.
+    let (low, high) = facet.receivers.ratio_range(facet.y, facet.w);
+    let remap = Remap::fitted(facet.curve, low.max(0.0), high)?;
+    Some(FacetRows { x, y: facet.y, z: facet.w, w: facet.w, remap })
 }
 
 /// The row scaled and shifted so that its ratio to w runs from -1 to 1 over the facet's receivers.
@@ -127,18 +153,35 @@ fn gram(rows: &FacetRows, situation: &Situation<'_>, point: DVec3) -> Option<Gra
     (gram.xx.is_finite() && gram.yy.is_finite()).then_some(gram)
 }
 
-/// Points spread inside a facet's receivers, to the sampled horizon: random positive weights on its vertices.
+/// Points spread inside a facet's receivers as the view's samples are: evenly in the logarithm of depth, to the
+/// sampled horizon, and over the cut at that depth.
 fn inner_points(facet: &FacetDraft, count: usize) -> Vec<DVec3> {
     const STEP: f64 = 0.618_033_988_749_894_9;
-    let horizon = SAMPLED_HORIZON_METRES.max(FARTHEST_PER_NEAREST * facet.receivers.range(DEPTH_ROW).0);
+    let nearest = facet.receivers.range(DEPTH_ROW).0;
+    let horizon = SAMPLED_HORIZON_METRES.max(FARTHEST_PER_NEAREST * nearest);
     let near = facet.receivers.cut_by(&[DVec4::W * horizon - DEPTH_ROW]);
+    let depth = |vertex: &DVec4| DEPTH_ROW.dot(*vertex) / vertex.w;
+    let farthest = near.vertices.iter().map(depth).fold(nearest, f64::max);
+    let logarithm = libm::log(farthest / nearest);
     let point = |index: usize| {
-        let mut sum = DVec4::ZERO;
-        for (k, vertex) in near.vertices.iter().enumerate() {
-            let unit = ((index * 37 + k * 11 + 1) as f64 * STEP).fract();
-            sum += *vertex * -libm::log(unit.max(1e-9));
+        let limit = nearest * libm::exp(logarithm * (index as f64 + 0.5) / count as f64);
+        let (above, below): (Vec<DVec4>, Vec<DVec4>) =
+            near.vertices.iter().partition(|vertex| depth(vertex) <= limit);
+
+        // A triangle between points of the cut, each on a line between vertices on either side.
+        let unit = |k: usize| ((index * 37 + k * 11 + 1) as f64 * STEP).fract();
+        let pick = |list: &[DVec4], k: usize| list.get((unit(k) * list.len() as f64) as usize).copied();
+        let corner = |k: usize| {
+            let (one, two) = (pick(&above, 2 * k)?, pick(&below, 2 * k + 1)?);
+            let part = (limit - depth(&one)) / (depth(&two) - depth(&one));
+            Some((one / one.w).lerp(two / two.w, part).truncate())
+        };
+        let (mut u, mut v) = (unit(6), unit(7));
+        if u + v > 1.0 {
+            (u, v) = (1.0 - u, 1.0 - v);
         }
-        sum.truncate() / sum.w
+        let (a, b, c) = (corner(0)?, corner(1)?, corner(2)?);
+        Some(a + (b - a) * u + (c - a) * v)
     };
-    (0..count).map(point).filter(|point| point.is_finite()).collect()
+    (0..count).filter_map(point).filter(|point| point.is_finite()).collect()
 }

@@ -31,6 +31,11 @@ impl Kind {
                 }
             }
             (Self::AutoOrCount { .. }, Value::Word(word)) if word.name == "auto" => Ok(()),
+            (Self::NumberOr { .. }, Value::Word(_)) => Ok(()),
+            (Self::NumberOr { min, max, open, unit, .. }, _) => {
+                let number = Self::Number { min: *min, max: *max, open: *open, unit: *unit };
+                number.check(value)
+            }
             (Self::Number { .. }, Value::Count(count)) => self.check(&Value::Number(f64::from(*count))),
             (Self::Number { min, max, open, unit }, Value::Number(number)) => {
                 let inside =
@@ -81,6 +86,11 @@ impl fmt::Display for Kind {
         match self {
             Self::Count { min, max } => write!(out, "a whole number from {min} to {max}"),
             Self::AutoOrCount { min, max } => write!(out, "`auto` or a whole number from {min} to {max}"),
+            Self::NumberOr { min, max, open, unit, choices } => {
+                let number = Self::Number { min: *min, max: *max, open: *open, unit: *unit };
+                write!(out, "{number}, or one of ")?;
+                write_names(out, choices)
+            }
             Self::Number { min, max, open, unit } => {
                 let noun = match unit {
                     Unit::None | Unit::Texels => "a number",

@@ -25,7 +25,10 @@ impl Field {
             Kind::Count { .. } => text.parse().ok().map(Value::Count),
             Kind::AutoOrCount { .. } if text == "auto" => Some(Value::Word(Word::plain("auto"))),
             Kind::AutoOrCount { .. } => text.parse().ok().map(Value::Count),
-            Kind::Number { unit, .. } => {
+            Kind::NumberOr { choices, .. } if default_word(choices, text).is_some() => {
+                default_word(choices, text).map(Value::Word)
+            }
+            Kind::Number { unit, .. } | Kind::NumberOr { unit, .. } => {
                 let (number, name) = text.split_once(' ').unwrap_or((text, ""));
                 unit.base(number.parse().ok()?, name).map(Value::Number)
             }
@@ -59,8 +62,11 @@ fn complete(kind: &Kind, value: &Value) -> Value {
             Value::Words(words.iter().map(|word| complete_word(choices, word)).collect())
         }
         (Kind::Group(fields), Value::Group(group)) => Value::Group(fill(fields, group)),
-        (Kind::Number { .. }, Value::Number(number)) => Value::Number(number + 0.0),
-        (Kind::Number { .. }, Value::Count(count)) => Value::Number(f64::from(*count)),
+        (Kind::NumberOr { choices, .. }, Value::Word(word)) => Value::Word(complete_word(choices, word)),
+        (Kind::Number { .. } | Kind::NumberOr { .. }, Value::Number(number)) => Value::Number(number + 0.0),
+        (Kind::Number { .. } | Kind::NumberOr { .. }, Value::Count(count)) => {
+            Value::Number(f64::from(*count))
+        }
         _ => value.clone(),
     }
 }

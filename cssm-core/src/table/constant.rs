@@ -24,6 +24,8 @@ pub enum ConstantKind {
     Bands,
     /// Vectors of four thresholds in each sector.
     ThresholdVectors,
+    /// Cell of the receivers near the dominant plane.
+    Dominant,
     /// Bias `constant`: metres along the light.
     BiasMetres,
     /// Bias `slope`: multiple of the local texel.
@@ -32,6 +34,8 @@ pub enum ConstantKind {
     BiasAMetres,
     /// Bias `world_texel`: multiple of the local texel.
     BiasBTexels,
+    /// Stretching `exact`: texels along the rows that edges of casters may be off.
+    StretchBound,
 }
 
 impl ConstantKind {
@@ -42,10 +46,12 @@ impl ConstantKind {
             Self::Sectors => "SECTORS",
             Self::Bands => "BANDS",
             Self::ThresholdVectors => "THRESHOLD_VECTORS",
+            Self::Dominant => "DOMINANT",
             Self::BiasMetres => "BIAS_METRES",
             Self::BiasTexels => "BIAS_TEXELS",
             Self::BiasAMetres => "BIAS_A_METRES",
             Self::BiasBTexels => "BIAS_B_TEXELS",
+            Self::StretchBound => "STRETCH_BOUND",
         }
     }
 
@@ -56,10 +62,12 @@ impl ConstantKind {
             Self::Sectors => "Sectors around the eye.",
             Self::Bands => "Bands of distance in each sector.",
             Self::ThresholdVectors => "Vectors of four band limits in each sector.",
+            Self::Dominant => "Place of the facet near the dominant plane.",
             Self::BiasMetres => "Bias along the light in metres.",
             Self::BiasTexels => "Bias as a multiple of the local texel and the tangent of the light's angle.",
             Self::BiasAMetres => "Constant part of the bias, metres along the light.",
             Self::BiasBTexels => "Part of the bias that scales with the local texel, in texels.",
+            Self::StretchBound => "Texels along the rows that edges of casters may be off.",
         }
     }
 }

@@ -6,7 +6,8 @@ use super::{
     BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantKind, ConstantValue, FieldType,
     GroupContent, Meaning, Pass, Record, RecordField, RecordKind, Resource, ShaderKind,
 };
-use crate::case::{Bias, Casters, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
+use crate::case::{Bias, Casters, Filter, LightCase, MaskDepth, MaskNormal, Resolve, Stretch};
+use crate::distribution::RemapKind;
 use crate::facet::FacetShape;
 
 impl CaseTable {
@@ -17,22 +18,21 @@ impl CaseTable {
         let mut records = Vec::new();
         let mut groups = Vec::new();
         let mut passes = Vec::new();
-        for shader in [ShaderKind::Capture, ShaderKind::CaptureClamped] {
-            groups.push(capture_group(&names, shader));
-            passes.push(capture_pass(&names, shader));
-        }
-        if case.casters == Casters::AlphaTested {
-            for shader in [ShaderKind::CaptureTested, ShaderKind::CaptureTestedClamped] {
-                groups.push(capture_group(&names, shader));
-                groups.push(caster_mask_group(&names, shader));
-                passes.push(capture_pass(&names, shader));
+        for shader in capture_shaders(case) {
+            groups.push(capture_group(&names, *shader));
+            if bends_exactly(case) {
+                groups.push(caster_mesh_group(&names, *shader));
             }
+            if is_tested(*shader) {
+                groups.push(caster_mask_group(&names, *shader, if bends_exactly(case) { 2 } else { 1 }));
+            }
+            passes.push(capture_pass(&names, *shader));
         }
 
         // Resolving shares one record and one group layout between its interfaces.
         records.push(facet_record(&names, case));
         records.push(shadow_record(&names, case, records[0].size_bytes));
-        records.push(capture_record(&names, shape));
+        records.push(capture_record(&names, case));
         if case.casters == Casters::AlphaTested {
             records.push(caster_mask_record(&names));
         }
@@ -57,9 +57,15 @@ impl CaseTable {
             map_width: case.map.width,
             map_height: case.map.height,
             map_format: case.map.format,
+            halves: shape.halves,
             sectors: shape.sectors,
             bands: shape.bands,
             clips: shape.clips,
+            dominant: shape.dominant,
+            scales_thresholds: case.scales_thresholds(),
+            local_light: case.light.is_local(),
+            remap: case.remap(),
+            stretch: case.stretch,
             may_reverse_depth: case.may_reverse_depth(),
             axes: case.axes,
             shears: case.shears(),
@@ -71,6 +77,32 @@ impl CaseTable {
             shaders: Cow::Borrowed(&[]),
         }
     }
+}
+
+/// Whether triangles are decided texel by texel where rows are bent.
+fn bends_exactly(case: &LightCase) -> bool {
+    matches!(case.stretch, Stretch::Exact { .. }) && case.remap() != RemapKind::None
+}
+
+/// The capture shaders of a case. Casters with an alpha mask have a fragment stage in any case, so that all their triangles
+/// are decided texel by texel where some are.
+fn capture_shaders(case: &LightCase) -> &'static [ShaderKind] {
+    use ShaderKind::{
+        Capture, CaptureBent, CaptureBentTested, CaptureClamped, CaptureTested, CaptureTestedClamped,
+    };
+    match (bends_exactly(case), case.casters) {
+        (false, Casters::Opaque) => &[Capture, CaptureClamped],
+        (false, Casters::AlphaTested) => &[Capture, CaptureClamped, CaptureTested, CaptureTestedClamped],
+        (true, Casters::Opaque) => &[Capture, CaptureClamped, CaptureBent],
+        (true, Casters::AlphaTested) => &[Capture, CaptureClamped, CaptureBent, CaptureBentTested],
+    }
+}
+
+const fn is_tested(shader: ShaderKind) -> bool {
+    matches!(
+        shader,
+        ShaderKind::CaptureTested | ShaderKind::CaptureTestedClamped | ShaderKind::CaptureBentTested
+    )
 }
 
 /// Emitted names of a case: `sun_mask_vertex`, `SunFacet`.
@@ -114,6 +146,14 @@ fn constants(names: &Names, case: &LightCase) -> Vec<Constant> {
     if shape.bands > 1 {
         push(ConstantKind::Bands, ConstantValue::U32(shape.bands));
         push(ConstantKind::ThresholdVectors, ConstantValue::U32(threshold_vectors(shape)));
+    }
+    if let Stretch::Exact { bound_texels } = case.stretch
+        && bends_exactly(case)
+    {
+        push(ConstantKind::StretchBound, ConstantValue::F32(bound_texels as f32));
+    }
+    if shape.dominant {
+        push(ConstantKind::Dominant, ConstantValue::U32(shape.cells() - 1));
     }
     match case.bias {
         Bias::None | Bias::ReceiverPlane => {}
@@ -178,6 +218,14 @@ fn push_rows(layout: &mut Layout) {
     layout.push("row_w", Meaning::RowW, FieldType::Vec4);
 }
 
+fn push_remap(layout: &mut Layout, case: &LightCase) {
+    match case.remap() {
+        RemapKind::None => {}
+        RemapKind::Perspective => layout.push("remap", Meaning::Remap, FieldType::Vec4),
+        RemapKind::Logarithmic => layout.push_array("remap", Meaning::Remap, FieldType::Vec4, 2, 16),
+    }
+}
+
 fn facet_record(names: &Names, case: &LightCase) -> Record {
     let mut layout = Layout::new();
     push_rows(&mut layout);
@@ -192,23 +240,40 @@ fn facet_record(names: &Names, case: &LightCase) -> Record {
         }
         Bias::ReceiverPlane => {
             layout.push("receiver_plane_depth", Meaning::ReceiverPlaneDepth, FieldType::F32);
+            if case.light.is_local() {
+                layout.push("rounding_depth", Meaning::RoundingDepth, FieldType::F32);
+            }
         }
     }
+    push_remap(&mut layout, case);
     layout.record(RecordKind::Facet, names.ty(RecordKind::Facet.name()))
 }
 
 fn shadow_record(names: &Names, case: &LightCase, facet_bytes: u32) -> Record {
     let shape = case.shape();
     let mut layout = Layout::new();
+    let rings = shape.halves * shape.sectors;
+    if shape.dominant {
+        layout.push_array("dominant", Meaning::Dominant, FieldType::Vec4, 2, 16);
+    }
+    if shape.halves > 1 {
+        layout.push("split", Meaning::Split, FieldType::Vec4);
+    }
     if shape.sectors > 1 {
-        layout.push_array("borders", Meaning::Borders, FieldType::Vec4, shape.sectors, 16);
+        layout.push_array("borders", Meaning::Borders, FieldType::Vec4, rings, 16);
     }
     if shape.bands > 1 {
-        layout.push_array("distances", Meaning::Distances, FieldType::Vec4, shape.sectors, 16);
-        let vectors = shape.sectors * threshold_vectors(shape);
+        layout.push_array("distances", Meaning::Distances, FieldType::Vec4, rings, 16);
+        if case.scales_thresholds() {
+            layout.push_array("units", Meaning::Units, FieldType::Vec4, rings, 16);
+        }
+        let vectors = rings * threshold_vectors(shape);
         layout.push_array("thresholds", Meaning::Thresholds, FieldType::Vec4, vectors, 16);
     }
-    if matches!(case.bias, Bias::Slope { .. }) {
+    if case.light.is_local() && case.bias != Bias::None {
+        layout.push("light_position", Meaning::LightPosition, FieldType::Vec4);
+    }
+    if matches!(case.bias, Bias::Slope { .. }) && !case.light.is_local() {
         layout.push("toward_light", Meaning::TowardLight, FieldType::Vec4);
     }
     if case.shears() {
@@ -217,13 +282,21 @@ fn shadow_record(names: &Names, case: &LightCase, facet_bytes: u32) -> Record {
     if case.may_reverse_depth() {
         layout.push("depth_sign", Meaning::DepthSign, FieldType::F32);
     }
-    layout.push_array("facets", Meaning::Facets, FieldType::Facet, shape.facets(), facet_bytes);
+    layout.push_array("facets", Meaning::Facets, FieldType::Facet, shape.cells(), facet_bytes);
     layout.record(RecordKind::Shadow, names.ty(RecordKind::Shadow.name()))
 }
 
-fn capture_record(names: &Names, shape: FacetShape) -> Record {
+fn capture_record(names: &Names, case: &LightCase) -> Record {
+    let shape = case.shape();
     let mut layout = Layout::new();
     push_rows(&mut layout);
+    push_remap(&mut layout, case);
+    if case.remap() != RemapKind::None {
+        layout.push("tile_size", Meaning::TileSize, FieldType::Vec2);
+    }
+    if bends_exactly(case) {
+        layout.push("stretch_tile", Meaning::StretchTile, FieldType::Vec4);
+    }
     if shape.clips > 0 {
         layout.push_array("clips", Meaning::Clips, FieldType::Vec4, shape.clips, 16);
     }
@@ -253,7 +326,22 @@ fn capture_group(names: &Names, shader: ShaderKind) -> BindGroup {
     BindGroup { shader, content: GroupContent::CaptureFacet, group: 0, bindings: bindings.into() }
 }
 
-fn caster_mask_group(names: &Names, shader: ShaderKind) -> BindGroup {
+fn caster_mesh_group(names: &Names, shader: ShaderKind) -> BindGroup {
+    let kinds = [
+        ("mesh_layout", BindingKind::MeshLayout),
+        ("mesh_positions", BindingKind::MeshPositions),
+        ("mesh_indices", BindingKind::MeshIndices),
+        ("mesh_uvs", BindingKind::MeshUvs),
+    ];
+    let bindings: Vec<_> = (0..)
+        .zip(kinds)
+        .filter(|(_, (_, kind))| *kind != BindingKind::MeshUvs || is_tested(shader))
+        .map(|(binding, (name, kind))| Binding { binding, name: names.value(name), kind })
+        .collect();
+    BindGroup { shader, content: GroupContent::CasterMesh, group: 1, bindings: bindings.into() }
+}
+
+fn caster_mask_group(names: &Names, shader: ShaderKind, group: u32) -> BindGroup {
     let kind = BindingKind::Uniform { record: RecordKind::CasterMask, dynamic_offset: false };
     let bindings = vec![
         Binding { binding: 0, name: names.value("caster_mask"), kind },
@@ -264,7 +352,7 @@ fn caster_mask_group(names: &Names, shader: ShaderKind) -> BindGroup {
             kind: BindingKind::CasterMaskSampler,
         },
     ];
-    BindGroup { shader, content: GroupContent::CasterMask, group: 1, bindings: bindings.into() }
+    BindGroup { shader, content: GroupContent::CasterMask, group, bindings: bindings.into() }
 }
 
 fn mask_group(names: &Names, depth: MaskDepth, normal: MaskNormal) -> BindGroup {
@@ -307,8 +395,11 @@ fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32)
 }
 
 fn capture_pass(names: &Names, shader: ShaderKind) -> Pass {
-    let tested = matches!(shader, ShaderKind::CaptureTested | ShaderKind::CaptureTestedClamped);
-    let reads = if tested { &[Resource::Casters, Resource::CasterMasks][..] } else { &[Resource::Casters] };
+    let reads = if is_tested(shader) {
+        &[Resource::Casters, Resource::CasterMasks][..]
+    } else {
+        &[Resource::Casters]
+    };
     let fragment = shader != ShaderKind::Capture;
     Pass {
         shader,

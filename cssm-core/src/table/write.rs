@@ -7,8 +7,11 @@ use super::{CaseTable, Meaning, Record, RecordKind};
 use crate::case::Axes;
 use crate::facet::Facet;
 use crate::plan::ShadowPlan;
+use crate::remap::{Curve, Remap};
 use crate::view::View;
 
+/// Where rows of an infinite horizon go straight on, metres.
+const FARTHEST_HORIZON_METRES: f64 = 1e12;
 /// Largest float below infinity: no distance reaches it.
 const UNREACHED: f32 = f32::MAX;
 
@@ -24,10 +27,26 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
         let stride = field.stride_bytes as usize;
         match field.meaning {
             Meaning::Borders => put_rows(&mut bytes, offset, &plan.selection.borders, &turned),
+            Meaning::Split => {
+                put_rows(&mut bytes, offset, plan.selection.split.as_slice(), &turned);
+            }
+            Meaning::Dominant => {
+                put_rows(&mut bytes, offset, plan.selection.dominant.as_slice().as_flattened(), &turned);
+            }
+            Meaning::Units => {
+                for sector in 0..(table.halves * table.sectors) as usize {
+                    let unit = plan.selection.units.get(sector).copied().unwrap_or(DVec4::W);
+                    put_row(&mut bytes, offset + sector * stride, turned.row(unit));
+                }
+            }
+            Meaning::LightPosition => {
+                let turn = Turn::unsheared(table, plan);
+                put_row(&mut bytes, offset, turn.direction(plan.light));
+            }
             Meaning::Distances => put_rows(&mut bytes, offset, &plan.selection.distances, &turned),
             Meaning::Thresholds => {
                 let vectors = (table.bands as usize - 1).div_ceil(4);
-                for sector in 0..table.sectors as usize {
+                for sector in 0..(table.halves * table.sectors) as usize {
                     let limits = plan.selection.thresholds.get(sector);
                     for index in 0..vectors * 4 {
                         let limit = limits.and_then(|limits| limits.get(index));
@@ -44,9 +63,11 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
             Meaning::DepthSign => put(&mut bytes, offset, sign as f32),
             Meaning::Facets => {
                 let Some(facet_record) = facet_record else { continue };
-                for facet in &plan.facets {
-                    let offset = offset + facet.index as usize * stride;
-                    write_facet(&mut bytes, offset, facet_record, facet, &turned, sign);
+                let write = FacetWriter { record: facet_record, turned: &turned, sign };
+                for (facet, cell) in
+                    plan.facets.iter().flat_map(|facet| facet.cells.iter().map(move |cell| (facet, cell)))
+                {
+                    write.facet(&mut bytes, offset + *cell as usize * stride, facet);
                 }
             }
             _ => {}
@@ -59,8 +80,7 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
 pub fn write_capture_record(table: &CaseTable, plan: &ShadowPlan, facet: &Facet) -> Vec<u8> {
     let Some(record) = table.record(RecordKind::Capture) else { return Vec::new() };
     let mut bytes = vec![0; record.size_bytes as usize];
-    let turned = Turn::capture(plan);
-    write_facet(&mut bytes, 0, record, facet, &turned, 1.0);
+    FacetWriter { record, turned: &Turn::capture(plan), sign: 1.0 }.facet(&mut bytes, 0, facet);
     bytes
 }
 
@@ -115,10 +135,14 @@ struct Turn {
 impl Turn {
     /// The axes that facets are evaluated in by the resolve shaders.
     fn resolve(table: &CaseTable, plan: &ShadowPlan) -> Self {
-        match (table.axes, table.shears) {
-            (Axes::World, _) => Self { points: DMat3::IDENTITY, rows: DMat3::IDENTITY },
-            (Axes::Camera, false) => Self { points: plan.camera_from_world, rows: plan.camera_from_world },
-            (Axes::Camera, true) => Self::capture(plan),
+        if table.shears { Self::capture(plan) } else { Self::unsheared(table, plan) }
+    }
+
+    /// The case's axes.
+    fn unsheared(table: &CaseTable, plan: &ShadowPlan) -> Self {
+        match table.axes {
+            Axes::World => Self { points: DMat3::IDENTITY, rows: DMat3::IDENTITY },
+            Axes::Camera => Self { points: plan.camera_from_world, rows: plan.camera_from_world },
         }
     }
 
@@ -147,37 +171,87 @@ pub fn shear_parts(shear: DVec2) -> (DVec2, DVec2) {
     (leading, shear - leading)
 }
 
-/// Fields of one facet; `sign` turns the depth row so that it grows away from the light.
-fn write_facet(bytes: &mut [u8], base: usize, record: &Record, facet: &Facet, turned: &Turn, sign: f64) {
-    let tile = &facet.tile;
-    let (x, y) = (f64::from(tile.x), f64::from(tile.y));
-    let (width, height) = (f64::from(tile.width), f64::from(tile.height));
-    for field in record.fields.iter() {
-        let offset = base + field.offset_bytes as usize;
-        match field.meaning {
-            Meaning::RowX => put_row(bytes, offset, turned.row(facet.rows.x)),
-            Meaning::RowY => put_row(bytes, offset, turned.row(facet.rows.y)),
-            Meaning::RowZ => put_row(bytes, offset, turned.row(facet.rows.z * sign)),
-            Meaning::RowW => put_row(bytes, offset, turned.row(facet.rows.w)),
-            Meaning::Clips => {
-                for index in 0..field.elements as usize {
-                    let clip = facet.clip.get(index).copied().unwrap_or(DVec4::W);
-                    put_row(bytes, offset + index * field.stride_bytes as usize, turned.row(clip));
+/// Writes the fields of facets.
+struct FacetWriter<'a> {
+    record: &'a Record,
+    turned: &'a Turn,
+    /// Turns the depth row so that it grows away from the light.
+    sign: f64,
+}
+
+impl FacetWriter<'_> {
+    fn facet(&self, bytes: &mut [u8], base: usize, facet: &Facet) {
+        let tile = &facet.tile;
+        let (x, y) = (f64::from(tile.x), f64::from(tile.y));
+        let (width, height) = (f64::from(tile.width), f64::from(tile.height));
+        // A local light's part depends on the receiver; elsewhere both are one constant.
+        let splits = self.record.fields.iter().any(|field| field.meaning == Meaning::RoundingDepth);
+        let rounding = if splits { 0.0 } else { facet.rounding_depth };
+        for field in self.record.fields.iter() {
+            let offset = base + field.offset_bytes as usize;
+            let mut row = |row: DVec4| put_row(bytes, offset, self.turned.row(row));
+            match field.meaning {
+                Meaning::RowX => row(facet.rows.x),
+                Meaning::RowY => row(facet.rows.y),
+                Meaning::RowZ => row(facet.rows.z * self.sign),
+                Meaning::RowW => row(facet.rows.w),
+                Meaning::Clips => {
+                    for index in 0..field.elements as usize {
+                        let clip = facet.clip.get(index).copied().unwrap_or(DVec4::W);
+                        let offset = offset + index * field.stride_bytes as usize;
+                        put_row(bytes, offset, self.turned.row(clip));
+                    }
                 }
+                Meaning::TexelFromNdc => {
+                    let transform = DVec4::new(0.5 * width, -0.5 * height, x + 0.5 * width, y + 0.5 * height);
+                    put_row(bytes, offset, transform);
+                }
+                Meaning::TexelLimits => {
+                    let (low, high) = tile.texel_limits();
+                    put_row(bytes, offset, DVec4::new(low.x, low.y, high.x, high.y));
+                }
+                Meaning::TileSize => {
+                    put(bytes, offset, tile.width as f32);
+                    put(bytes, offset + 4, tile.height as f32);
+                }
+                Meaning::StretchTile => {
+                    let (one, two) = (facet.rows.remap.k(-1.0), facet.rows.remap.k(1.0));
+                    put_row(bytes, offset, DVec4::new(one.min(two), one.max(two), x, y));
+                }
+                Meaning::Remap => {
+                    let vectors = field.elements.max(1) as usize;
+                    for (index, vector) in remap_vectors(&facet.rows.remap, vectors).into_iter().enumerate() {
+                        put_row(bytes, offset + 16 * index, vector);
+                    }
+                }
+                Meaning::DepthPerMetre => put(bytes, offset, facet.depth_per_metre as f32),
+                Meaning::TexelMetresPerW => put(bytes, offset, facet.texel_metres_per_w as f32),
+                Meaning::ReceiverPlaneDepth => {
+                    put(bytes, offset, (facet.receiver_plane_depth + rounding) as f32);
+                }
+                Meaning::RoundingDepth => put(bytes, offset, facet.rounding_depth as f32),
+                _ => {}
             }
-            Meaning::TexelFromNdc => {
-                let transform = DVec4::new(0.5 * width, -0.5 * height, x + 0.5 * width, y + 0.5 * height);
-                put_row(bytes, offset, transform);
-            }
-            Meaning::TexelLimits => {
-                let (low, high) = tile.texel_limits();
-                put_row(bytes, offset, DVec4::new(low.x, low.y, high.x, high.y));
-            }
-            Meaning::DepthPerMetre => put(bytes, offset, facet.depth_per_metre as f32),
-            Meaning::TexelMetresPerW => put(bytes, offset, facet.texel_metres_per_w as f32),
-            Meaning::ReceiverPlaneDepth => put(bytes, offset, facet.receiver_plane_depth as f32),
-            _ => {}
         }
+    }
+}
+
+/// A remap as [`Meaning::Remap`] spells it, in one vector for perspectives and two for logarithms.
+fn remap_vectors(remap: &Remap, vectors: usize) -> Vec<DVec4> {
+    let Remap { curve, scale, shift } = *remap;
+    match (curve, vectors) {
+        (Curve::Perspective { push_back_metres }, 1) => vec![DVec4::new(shift, scale, push_back_metres, 0.0)],
+        (_, 1) => vec![DVec4::new(shift, scale, 0.0, 0.0)],
+        (Curve::Logarithmic { reference_metres, horizon_metres }, _) => {
+            // No receiver lies beyond an infinite horizon, but corners of casters may: no logarithm reaches them.
+            let horizon_metres = horizon_metres.min(FARTHEST_HORIZON_METRES);
+            let curve = Curve::Logarithmic { reference_metres, horizon_metres };
+            let before = DVec4::new(shift, -scale, -scale, reference_metres);
+            let at_infinity = Remap { curve, ..*remap }.y(0.0);
+            vec![before, DVec4::new(1.0 / horizon_metres, at_infinity, -scale * horizon_metres, 0.0)]
+        }
+        // A row that is not bent lies beyond the horizon everywhere.
+        (_, _) => vec![DVec4::new(0.0, 0.0, 0.0, 1.0), DVec4::new(f64::from(f32::MAX), shift, scale, 0.0)],
     }
 }
 

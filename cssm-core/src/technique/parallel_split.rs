@@ -3,9 +3,11 @@
 use glam::DVec4;
 
 use super::standard::light_plane_axes;
-use super::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TechniqueSpec, TileRequest};
-use crate::case::{CaseError, LightCase};
-use crate::facet::{FacetShape, Selection};
+use super::{
+    ConfigurationSpec, Draft, FacetDraft, Region, Situation, TechniqueSpec, TileRequest, only_directional,
+};
+use crate::case::{CaseError, LightCase, LightKind};
+use crate::facet::{Cell, FacetShape, Selection};
 use crate::plan::PlanError;
 use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Default, Field, Kind, Unit, Word};
@@ -52,6 +54,7 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
         ],
     },
     configurations: &[CONFIGURATION],
+    default_configurations: |light| only_directional(light, &["slabs"]),
     distribution: None,
     fits_infinity: false,
     follows_camera: false,
@@ -60,12 +63,12 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
 
 const CONFIGURATION: ConfigurationSpec = ConfigurationSpec {
     choice: Choice::plain("slabs", "one facet per depth slab"),
+    lights: &[LightKind::Directional],
     takes_distribution: false,
     serves: |_| true,
     shape: |case, _| FacetShape {
-        sectors: 1,
         bands: case.technique.arguments.count("splits").unwrap_or(4),
-        clips: 0,
+        ..FacetShape::ONE
     },
     draft,
 };
@@ -90,29 +93,22 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         if index + 1 < splits {
             select.push(DVec4::W * limits[slab] - DEPTH_ROW);
         }
-        FacetDraft {
-            sector: 0,
-            band: index,
-            x,
-            y,
-            w: DVec4::W,
-            receivers: situation.receivers.cut_by(&select),
-            select,
-            region: Region::Tile(match arguments.sizes("sizes") {
-                Some(sizes) => TileRequest::Fixed(sizes[slab].0, sizes[slab].1),
-                None => TileRequest::Share(1.0 / f64::from(splits)),
-            }),
-        }
+        let receivers = situation.receivers.cut_by(&select);
+        let region = Region::Tile(match arguments.sizes("sizes") {
+            Some(sizes) => TileRequest::Fixed(sizes[slab].0, sizes[slab].1),
+            None => TileRequest::Share(1.0 / f64::from(splits)),
+        });
+        FacetDraft::straight(Cell::of(0, index), [x, y, DVec4::W], (select, receivers), region)
     });
     Ok(vec![Draft {
         configuration: CONFIGURATION.choice.name,
         form: "",
+        complete: true,
         facets: facets.collect(),
         selection: Selection {
-            borders: Vec::new(),
             distances: vec![DEPTH_ROW],
             thresholds: vec![limits],
-            bands: splits,
+            ..Selection::around(1, splits)
         },
     }])
 }

@@ -2,8 +2,11 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TechniqueSpec, TileRequest};
-use crate::facet::{FacetShape, Selection};
+use super::{
+    ConfigurationSpec, Draft, FacetDraft, Region, Situation, TechniqueSpec, TileRequest, only_directional,
+};
+use crate::case::LightKind;
+use crate::facet::{Cell, FacetShape, Selection};
 use crate::plan::PlanError;
 use crate::schema::{Choice, Word};
 
@@ -11,6 +14,7 @@ use crate::schema::{Choice, Word};
 pub const SPEC: TechniqueSpec = TechniqueSpec {
     choice: Choice::plain("standard", "one uniform map fitted to the receivers, up = the camera's y"),
     configurations: &[CONFIGURATION],
+    default_configurations: |light| only_directional(light, &["single"]),
     distribution: None,
     fits_infinity: false,
     follows_camera: false,
@@ -19,9 +23,10 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
 
 const CONFIGURATION: ConfigurationSpec = ConfigurationSpec {
     choice: Choice::plain("single", "one facet over the whole map"),
+    lights: &[LightKind::Directional],
     takes_distribution: false,
     serves: |_| true,
-    shape: |_, _| FacetShape { sectors: 1, bands: 1, clips: 0 },
+    shape: |_, _| FacetShape::ONE,
     draft,
 };
 
@@ -33,17 +38,14 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     Ok(vec![Draft {
         configuration: CONFIGURATION.choice.name,
         form: "",
+        complete: true,
         selection: Selection::single(),
-        facets: vec![FacetDraft {
-            sector: 0,
-            band: 0,
-            x,
-            y,
-            w: DVec4::W,
-            select: Vec::new(),
-            receivers: situation.receivers.clone(),
-            region: Region::Tile(TileRequest::Share(1.0)),
-        }],
+        facets: vec![FacetDraft::straight(
+            Cell::FIRST,
+            [x, y, DVec4::W],
+            (Vec::new(), situation.receivers.clone()),
+            Region::Tile(TileRequest::Share(1.0)),
+        )],
     }])
 }
 

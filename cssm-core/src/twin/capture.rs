@@ -46,7 +46,13 @@ fn draw(
         let point = corner.extend(1.0);
         DVec4::new(rows.x.dot(point), rows.y.dot(point), rows.z.dot(point), rows.w.dot(point))
     });
-    let Some((low, high)) = tile_bounds(&corners) else { return };
+
+    // Bent rows are straight in k = y/w: all is decided there, and only the rows of texel centres are bent.
+    let remap = &rows.remap;
+    let (one, two) = (remap.k(-1.0), remap.k(1.0));
+    let Some((low, high)) = tile_bounds(&corners, one.min(two), one.max(two)) else { return };
+    let (bottom, top) = (remap.y(low.1), remap.y(high.1));
+    let (bottom, top) = (bottom.min(top), bottom.max(top));
 
     // Invert the triangle in homogeneous clip space: a covered point is a positive combination of the corners, also
     // when some lie behind w = 0 (Olano and Greer, triangle scan conversion using 2D homogeneous coordinates).
@@ -69,13 +75,13 @@ fn draw(
     // Walk the rows of texel centres; along a row every edge is a linear inequality.
     let tile = &facet.tile;
     let (width, height) = (f64::from(tile.width), f64::from(tile.height));
-    let first_row = ((0.5 - 0.5 * high.1) * height - 0.5).ceil().max(0.0) as u32;
-    let last_row = ((0.5 - 0.5 * low.1) * height - 0.5).floor().min(height - 1.0);
+    let first_row = ((0.5 - 0.5 * top) * height - 0.5).ceil().max(0.0) as u32;
+    let last_row = ((0.5 - 0.5 * bottom) * height - 0.5).floor().min(height - 1.0);
     if last_row < 0.0 {
         return;
     }
     for row in first_row..=last_row as u32 {
-        let y = 1.0 - 2.0 * (f64::from(row) + 0.5) / height;
+        let y = remap.k(1.0 - 2.0 * (f64::from(row) + 0.5) / height);
         let (mut from, mut to) = (low.0, high.0);
         for edge in &limits {
             let constant = edge.y * y + edge.z;
@@ -113,21 +119,21 @@ fn draw(
     }
 }
 
-/// Smallest rectangle of the tile's clip space around the visible part of a triangle.
-fn tile_bounds(corners: &[DVec4; 3]) -> Option<((f64, f64), (f64, f64))> {
-    const EDGES: [DVec4; 4] = [
+/// Smallest rectangle in x/w and y/w around the visible part of a triangle, in a tile that spans `from` to `to` in y/w.
+fn tile_bounds(corners: &[DVec4; 3], from: f64, to: f64) -> Option<((f64, f64), (f64, f64))> {
+    let edges = [
         DVec4::new(1.0, 0.0, 0.0, 1.0),
         DVec4::new(-1.0, 0.0, 0.0, 1.0),
-        DVec4::new(0.0, 1.0, 0.0, 1.0),
-        DVec4::new(0.0, -1.0, 0.0, 1.0),
+        DVec4::new(0.0, 1.0, 0.0, -from),
+        DVec4::new(0.0, -1.0, 0.0, to),
     ];
     // Most triangles lie outside one edge; most others inside all.
     let outside = |edge: &DVec4| corners.iter().all(|corner| edge.dot(*corner) < 0.0);
-    if EDGES.iter().any(outside) {
+    if edges.iter().any(outside) {
         return None;
     }
     let mut polygon = corners.to_vec();
-    for edge in EDGES {
+    for edge in edges {
         let mut kept = Vec::with_capacity(polygon.len() + 1);
         for (one, two) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
             let (a, b) = (edge.dot(*one), edge.dot(*two));

@@ -3,7 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::DepthMap;
-use crate::case::{Bias, Filter, LightCase};
+use crate::case::{Bias, Filter, LightCase, Stretch};
+use crate::distribution::RemapKind;
 use crate::facet::{Facet, FacetRows};
 use crate::homography::Gradients;
 use crate::plan::ShadowPlan;
@@ -11,14 +12,22 @@ use crate::plan::ShadowPlan;
 /// What resolving a visible point found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolved {
-    /// Index of the facet the selection walk ended in.
-    pub facet: u32,
+    /// Cell that the selection walk ended in.
+    pub cell: u32,
     /// Map texel coordinates (centres at .5, y down); NaN when the facet has no receivers.
     pub texel: DVec2,
     /// Stored depth of the point in the facet, before bias.
     pub depth: f64,
     /// 0 in shadow, 1 lit, between where the filter blends.
     pub visibility: f64,
+}
+
+/// How far casters' edges may lie off along the rows, in texels.
+fn chord_texels(case: &LightCase) -> f64 {
+    match (case.remap(), case.stretch) {
+        (RemapKind::None, _) | (_, Stretch::None | Stretch::Vertex) => 0.0,
+        (_, Stretch::Exact { bound_texels }) => bound_texels,
+    }
 }
 
 /// Smallest cosine between normal and light that a slope bias reckons with.
@@ -33,8 +42,8 @@ pub fn resolve(
     normal: DVec3,
 ) -> Resolved {
     // Walk to the facet.
-    let index = plan.selection.facet(point_from_eye.extend(1.0));
-    let lit = |texel, depth| Resolved { facet: index, texel, depth, visibility: 1.0 };
+    let index = plan.selection.cell(point_from_eye.extend(1.0));
+    let lit = |texel, depth| Resolved { cell: index, texel, depth, visibility: 1.0 };
     let Some(facet) = plan.facet(index) else { return lit(DVec2::NAN, f64::NAN) };
 
     // Find the texel; beyond the facet's own receivers everything is lit.
@@ -52,7 +61,8 @@ pub fn resolve(
     }
 
     // Compare and filter.
-    let reference = Reference::new(case, plan, facet, &gradients, texel, normal);
+    let light = LightAt::receiver(plan, point_from_eye);
+    let reference = Reference::new(case, facet, &gradients, texel, normal, &light);
     let stored = |corner: DVec2| map.depth(corner.x as i64, corner.y as i64);
     let (nearest, farthest) = (sign.min(0.0), sign.max(0.0));
     let lit_at = |reference: f64, corner: DVec2| {
@@ -79,7 +89,26 @@ pub fn resolve(
             upper * (1.0 - weight.y) + lower * weight.y
         }
     };
-    Resolved { facet: index, texel, depth, visibility }
+    Resolved { cell: index, texel, depth, visibility }
+}
+
+/// The light as a receiver sees it.
+struct LightAt {
+    /// Unit vector towards it.
+    toward: DVec3,
+    /// One over its distance in metres; 1 for a directional light, whose depths do not depend on it.
+    per_distance: f64,
+}
+
+impl LightAt {
+    fn receiver(plan: &ShadowPlan, point_from_eye: DVec3) -> Self {
+        if plan.light.w == 0.0 {
+            return Self { toward: plan.light.truncate(), per_distance: 1.0 };
+        }
+        let toward = plan.light.truncate() - point_from_eye;
+        let per_distance = 1.0 / toward.length();
+        Self { toward: toward * per_distance, per_distance }
+    }
 }
 
 /// The depth that texels around a receiver are compared with: a plane over the map.
@@ -92,26 +121,25 @@ struct Reference {
 impl Reference {
     fn new(
         case: &LightCase,
-        plan: &ShadowPlan,
         facet: &Facet,
         gradients: &Gradients,
         texel: DVec2,
         normal: DVec3,
+        light: &LightAt,
     ) -> Self {
         let depth = gradients.ndc.z;
+        let depth_per_metre = facet.depth_per_metre * light.per_distance;
         let flat = |bias: f64| Self { texel, depth: depth - bias, per_texel: DVec2::ZERO };
         match case.bias {
             Bias::None => flat(0.0),
-            Bias::Constant { along_light_metres } => {
-                flat(along_light_metres * facet.depth_per_metre / gradients.w)
-            }
+            Bias::Constant { along_light_metres } => flat(along_light_metres * depth_per_metre / gradients.w),
             Bias::WorldTexel { a_metres, b_texels } => {
-                flat(facet.depth_per_metre * (a_metres / gradients.w + b_texels * facet.texel_metres_per_w))
+                flat(depth_per_metre * (a_metres / gradients.w + b_texels * facet.texel_metres_per_w))
             }
             Bias::Slope { texels } => {
-                let cosine = normal.dot(plan.light.truncate()).clamp(SMALLEST_COSINE, 1.0);
+                let cosine = normal.dot(light.toward).clamp(SMALLEST_COSINE, 1.0);
                 let tangent = (1.0 - cosine * cosine).sqrt() / cosine;
-                flat(texels * facet.texel_metres_per_w * facet.depth_per_metre * tangent)
+                flat(texels * facet.texel_metres_per_w * depth_per_metre * tangent)
             }
             Bias::ReceiverPlane => {
                 let (across, up) = gradients.depth_along_surface(normal);
@@ -125,7 +153,11 @@ impl Reference {
                 } else {
                     per_texel.clamp(DVec2::NEG_ONE, DVec2::ONE)
                 };
-                Self { texel, depth: depth - facet.receiver_plane_depth, per_texel }
+                // Casters drawn by their corners may be off by the bound along the rows.
+                let lowered = facet.receiver_plane_depth * light.per_distance
+                    + facet.rounding_depth
+                    + chord_texels(case) * per_texel.y.abs();
+                Self { texel, depth: depth - lowered, per_texel }
             }
         }
     }

@@ -2,9 +2,11 @@
 
 #![allow(dead_code, reason = "each test file uses its part")]
 
+use cssm_core::case::{DominantPlane, LightKind, Stretch};
 use cssm_core::glam::DVec3;
+use cssm_core::plan::WorldPlane;
 use cssm_core::schema::{Value, Word};
-use cssm_core::{Light, LightCase, View};
+use cssm_core::{Light, LightCase, SceneBounds, View};
 
 /// xorshift64*: small, seeded, the same everywhere.
 pub(crate) struct Random(u64);
@@ -67,6 +69,105 @@ pub(crate) fn cases(size: u32, shadow_distance: f64) -> Vec<LightCase> {
         camera_space("FourPlane", &["four_plane"]).build().unwrap(),
         camera_space("Chosen", &["four_plane", "one_plane"]).build().unwrap(),
     ]
+}
+
+/// A case of each configuration and distribution for spot and omni lights, and cases with a dominant plane.
+pub(crate) fn local_cases(size: u32) -> Vec<LightCase> {
+    let local =
+        |name: String, light: LightKind, configurations: &[&'static str], distribution: Option<&str>| {
+            let mut builder = LightCase::builder(&name).light(light).map_size_texels(size, size);
+            if !configurations.is_empty() {
+                builder = builder.configurations(configurations);
+            }
+            match distribution {
+                Some("perspective") => builder.distribution(Word::plain("perspective")).build().unwrap(),
+                Some("bent") => {
+                    let builder = builder.distribution(Word::plain("perspective"));
+                    builder.stretch(Stretch::Exact { bound_texels: 0.25 }).build().unwrap()
+                }
+                Some("logarithmic") => builder.distribution(Word::plain("logarithmic")).build().unwrap(),
+                Some("two_segment") => builder.distribution(Word::plain("two_segment")).build().unwrap(),
+                _ => builder.build().unwrap(),
+            }
+        };
+    let mut cases = Vec::new();
+    for light in [LightKind::Omni, LightKind::Spot] {
+        let kind = if light == LightKind::Omni { "Omni" } else { "Spot" };
+        cases.push(local(format!("{kind}Chosen"), light, &[], None));
+        for configuration in ["four_plane", "eight_plane", "tetrahedron", "cube"] {
+            cases.push(local(format!("{kind}Case{}", cases.len()), light, &[configuration], None));
+        }
+        for configuration in ["face_columns", "one_plane"] {
+            for distribution in ["bands", "perspective", "bent", "logarithmic", "two_segment"] {
+                let name = format!("{kind}Case{}", cases.len());
+                cases.push(local(name, light, &[configuration], Some(distribution)));
+            }
+        }
+    }
+    cases.push(local("SpotProjection".into(), LightKind::Spot, &["light_projection"], None));
+    for configuration in ["face_columns", "one_plane"] {
+        for distribution in ["bent", "logarithmic", "two_segment"] {
+            let name = format!("Sun{}", cases.len());
+            cases.push(local(name, LightKind::Directional, &[configuration], Some(distribution)));
+        }
+    }
+    let plane = DominantPlane { share: 0.25, thickness_metres: 0.5 };
+    let dominant = LightCase::builder("Flight").dominant_plane(plane).map_size_texels(size, size);
+    cases.push(dominant.build().unwrap());
+    cases
+}
+
+/// Bounds that give the ground as dominant plane to the cases that take one.
+pub(crate) fn bounds_for(case: &LightCase, view: &View) -> SceneBounds {
+    let ground = WorldPlane {
+        point_world: view.eye_world - DVec3::Y * 1.7,
+        normal_world: DVec3::new(0.01, 1.0, -0.02),
+    };
+    SceneBounds { dominant_plane: case.dominant_plane.map(|_| ground), ..SceneBounds::default() }
+}
+
+/// Omni lights at every kind of place: in the view near and far, beside, behind, above, at the eye, in the near plane, on
+/// the axis, in a corner, and within 1e-9 radians of borders.
+pub(crate) fn lamps(view: &View, random: &mut Random) -> Vec<Light> {
+    let corner = DVec3::new(view.right, view.top, -1.0);
+    let edge = DVec3::new(0.3 * view.left + 0.7 * view.right, view.top, -1.0);
+    let near = view.near_metres;
+    let mut places = vec![
+        DVec3::new(1.0, 1.0, -3.0),
+        DVec3::new(0.0, 1.0, -10.0),
+        DVec3::new(3.0, 4.0, -60.0),
+        DVec3::new(0.0, 0.0, -20.0),
+        DVec3::new(0.0, 15.0, -10.0),
+        DVec3::new(0.0, 30.0, -20.0),
+        DVec3::new(1.0, 1.0, 20.0),
+        DVec3::new(0.2, 0.3, 2.0),
+        DVec3::new(0.0, 0.0, 5.0),
+        DVec3::new(4.0, 8.0, 0.0),
+        DVec3::new(-30.0, 80.0, 10.0),
+        DVec3::ZERO,
+        DVec3::new(0.3 * near, 0.2 * near, -near),
+        DVec3::new(0.0, 0.0, -0.5 * near),
+        corner * 10.0,
+        edge * 10.0,
+        edge * -10.0,
+    ];
+    for place in [corner, edge, -edge] {
+        places.push(place * 10.0 + random.direction() * 1e-8);
+    }
+    let to_world = view.camera_from_world.transpose();
+    let range = |index: usize| if index % 3 == 0 { 12.0 } else { f64::INFINITY };
+    let lamp = |(index, place): (usize, DVec3)| {
+        Light::omni(view.eye_world + to_world * place, range(index)).unwrap()
+    };
+    places.into_iter().enumerate().map(lamp).collect()
+}
+
+/// A spot light where an omni light stands, which shines at something visible.
+pub(crate) fn shining(view: &View, lamp: Light, random: &mut Random) -> Light {
+    let Light::Omni { position_world, range_metres } = lamp else { return lamp };
+    let target = view.eye_world + view.ray_world(random.unit() * 900.0, random.unit() * 900.0) * 8.0;
+    let half_angle = random.between(0.2, 1.4);
+    Light::spot(position_world, target - position_world, half_angle, range_metres).unwrap()
 }
 
 /// Direction towards the light in camera space: azimuth 0 ahead, 90 right, 180 behind.

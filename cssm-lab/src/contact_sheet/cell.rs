@@ -21,7 +21,7 @@ pub(super) fn pictures(attempt: &Attempt<'_>, outcome: &Outcome) -> Result<Pictu
     let height = (VIEW_PIXELS * frame.height / frame.width).clamp(1, HEIGHT_LIMIT_PIXELS);
     let (map_width, map_height) = attempt.plan.map_size_texels;
     let map_pixels = (height * map_width as usize / map_height as usize).clamp(1, 2 * height);
-    let view = shaded_picture(stage.scene, frame, &outcome.visibility);
+    let view = shaded_picture(stage.scene, frame, &outcome.visibility, &stage.light);
     let verdicts = verdict_picture(frame.width, frame.height, &outcome.verdicts);
     let pictures = [
         view.shrunk(VIEW_PIXELS, height, mean),

@@ -2,7 +2,10 @@
 
 use cssm_core::BoundingBox;
 use cssm_core::glam::DVec3;
-use cssm_runtime::{CasterInstance, IndexDescription, MeshDescription, ShadowService};
+use cssm_runtime::{
+    CasterInstance, Cluster, ClusterError, ClusteredTriangles, IndexDescription, MeshDescription,
+    ShadowService, cluster_triangles,
+};
 
 use super::alpha_mask::MaskBuffers;
 use super::{Gpu, GpuError};
@@ -11,19 +14,20 @@ use crate::scene::Scene;
 const POSITION_BYTES: u64 = 12;
 const INDEX_BYTES: u64 = 4;
 
-/// All vertices and all indices of a scene, and the alpha masks of its meshes.
+/// All vertices and all indices of a scene, ordered in clusters, and the alpha masks of its meshes.
 #[derive(Debug)]
 pub struct SceneBuffers {
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
+    clusters: Vec<Vec<Cluster>>,
     masks: Vec<Option<MaskBuffers>>,
 }
 
 impl SceneBuffers {
-    /// Uploads a scene.
+    /// Uploads a scene; the triangles of each mesh are put into clusters on the way.
     ///
     /// # Errors
-    /// When it does not fit a buffer.
+    /// When it does not fit a buffer, or an index leads to no vertex.
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
         let count =
             |items: fn(&crate::scene::Mesh) -> usize| scene.meshes.iter().map(items).sum::<usize>() as u64;
@@ -44,11 +48,12 @@ impl SceneBuffers {
         };
         let vertices = buffer("scene vertices", vertex_bytes, wgpu::BufferUsages::VERTEX)?;
         let indices = buffer("scene indices", index_bytes, wgpu::BufferUsages::INDEX)?;
+        let clustered = scene.meshes.iter().map(clustered).collect::<Result<Vec<_>, _>>()?;
         gpu.checked("the scene's contents", || {
             let (mut vertex, mut index) = (0, 0);
-            for mesh in &scene.meshes {
+            for (mesh, clustered) in scene.meshes.iter().zip(&clustered) {
                 gpu.queue.write_buffer(&vertices, vertex, bytemuck::cast_slice(&mesh.positions));
-                gpu.queue.write_buffer(&indices, index, bytemuck::cast_slice(&mesh.indices));
+                gpu.queue.write_buffer(&indices, index, bytemuck::cast_slice(&clustered.indices));
                 vertex += mesh.positions.len() as u64 * POSITION_BYTES;
                 index += mesh.indices.len() as u64 * INDEX_BYTES;
             }
@@ -57,7 +62,14 @@ impl SceneBuffers {
             mesh.mask.as_ref().map(|mask| MaskBuffers::new(gpu, mask)).transpose()
         };
         let masks = scene.meshes.iter().map(mask).collect::<Result<_, _>>()?;
-        Ok(Self { vertices, indices, masks })
+        let clusters = clustered.into_iter().map(|clustered| clustered.clusters).collect();
+        Ok(Self { vertices, indices, clusters, masks })
+    }
+
+    /// Forgets the clusters, for comparisons: every mesh is accepted or refused whole.
+    pub fn without_clusters(mut self) -> Self {
+        self.clusters.iter_mut().for_each(Vec::clear);
+        self
     }
 
     /// Registers the scene's meshes with a service and returns its instances as casters.
@@ -71,7 +83,7 @@ impl SceneBuffers {
     ) -> Result<Vec<CasterInstance>, GpuError> {
         let (mut vertex, mut index) = (0, 0);
         let mut handles = Vec::with_capacity(scene.meshes.len());
-        for (mesh, mask) in scene.meshes.iter().zip(&self.masks) {
+        for ((mesh, mask), clusters) in scene.meshes.iter().zip(&self.masks).zip(&self.clusters) {
             let handle = match mesh.bounds().filter(|_| !mesh.indices.is_empty()) {
                 None => None,
                 Some((min, max)) => Some(service.add_mesh(&MeshDescription {
@@ -88,6 +100,7 @@ impl SceneBuffers {
                         format: wgpu::IndexFormat::Uint32,
                     }),
                     bounds_object: BoundingBox { min: DVec3::from_array(min), max: DVec3::from_array(max) },
+                    clusters,
                     mask: mask.as_ref().map(MaskBuffers::description),
                 })?),
             };
@@ -101,4 +114,12 @@ impl SceneBuffers {
         });
         Ok(casters.collect())
     }
+}
+
+/// A mesh's triangles in the order of its clusters.
+fn clustered(mesh: &crate::scene::Mesh) -> Result<ClusteredTriangles, ClusterError> {
+    let position = |index: u32| {
+        mesh.positions.get(index as usize).map(|position| DVec3::from_array(position.map(f64::from)))
+    };
+    cluster_triangles(position, &mesh.indices)
 }

@@ -115,8 +115,8 @@ impl CaseRunner {
         let target = whole(&target);
         stopwatch.time(
             gpu,
-            |encoder, timestamps| Ok(self.service.capture(encoder, frame, timestamps)?),
-            |encoder, timestamps| self.resolve(gpu, encoder, frame, surface, &target, timestamps),
+            &mut |encoder, timestamps| Ok(self.service.capture(encoder, frame, timestamps)?),
+            &mut |encoder, timestamps| self.resolve(gpu, encoder, frame, surface, &target, timestamps),
         )
     }
 

@@ -1,13 +1,10 @@
-//! Times of the capture and the resolve pass.
+//! Times of passes.
 
 use std::time::Instant;
 
 use cssm_runtime::{ServiceError, read_back};
 
 use super::{Gpu, GpuError};
-
-/// Beginning and end of two passes.
-const STAMPS: u32 = 4;
 
 /// Times passes: by timestamps where the device has them, else by the wall clock around a submit and a wait.
 #[derive(Debug)]
@@ -23,6 +20,12 @@ struct Stamps {
     milliseconds_per_tick: f64,
 }
 
+/// Where a pass writes its timestamps.
+pub type Writes<'a> = wgpu::RenderPassTimestampWrites<'a>;
+
+/// Records one pass.
+pub type RecordPass<'a> = dyn FnMut(&mut wgpu::CommandEncoder, Option<Writes<'_>>) -> Result<(), GpuError> + 'a;
+
 /// Milliseconds of one run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassTimes {
@@ -32,16 +35,26 @@ pub struct PassTimes {
     pub resolve_milliseconds: f64,
 }
 
+/// Milliseconds of several passes that ran one after another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SequenceTimes {
+    /// Of each pass.
+    pub passes_milliseconds: Vec<f64>,
+    /// From the beginning of the first to the end of the last.
+    pub whole_milliseconds: f64,
+}
+
 impl Stopwatch {
-    /// A stopwatch for a device.
+    /// A stopwatch for sequences of at most so many passes on a device.
     ///
     /// # Errors
     /// What the device refuses.
-    pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+    pub fn new(gpu: &Gpu, passes: u32) -> Result<Self, GpuError> {
         if !gpu.has_timestamps() {
             return Ok(Self { stamps: None });
         }
-        let size = u64::from(STAMPS) * u64::from(wgpu::QUERY_SIZE);
+        let count = 2 * passes.max(1);
+        let size = u64::from(count) * u64::from(wgpu::QUERY_SIZE);
         let stamps = gpu.checked("timestamps", || {
             let buffer = |usage| {
                 gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -55,7 +68,7 @@ impl Stopwatch {
                 queries: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
                     label: Some("timestamps"),
                     ty: wgpu::QueryType::Timestamp,
-                    count: STAMPS,
+                    count,
                 }),
                 resolved: buffer(wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
                 readable: buffer(wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ),
@@ -70,52 +83,61 @@ impl Stopwatch {
         if self.stamps.is_some() { "device timestamps" } else { "wall clock around submit and wait" }
     }
 
+    /// Runs passes one after another and times each; there are no more of them than the stopwatch was made for.
+    ///
+    /// # Errors
+    /// What a pass or the device says.
+    pub fn time_sequence(
+        &self,
+        gpu: &Gpu,
+        passes: &mut [&mut RecordPass<'_>],
+    ) -> Result<SequenceTimes, GpuError> {
+        match &self.stamps {
+            Some(stamps) => stamps.time(gpu, passes),
+            None => wall_times(gpu, passes),
+        }
+    }
+
     /// Runs a capture and a resolve pass and times both.
     pub(super) fn time(
         &self,
         gpu: &Gpu,
-        capture: impl FnOnce(&mut wgpu::CommandEncoder, Option<Writes<'_>>) -> Result<(), GpuError>,
-        resolve: impl FnOnce(&mut wgpu::CommandEncoder, Option<Writes<'_>>) -> Result<(), GpuError>,
+        capture: &mut RecordPass<'_>,
+        resolve: &mut RecordPass<'_>,
     ) -> Result<PassTimes, GpuError> {
-        let encoder = || gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let Some(stamps) = &self.stamps else {
-            let mut first = encoder();
-            capture(&mut first, None)?;
-            let capture_milliseconds = wall_milliseconds(gpu, first)?;
-            let mut second = encoder();
-            resolve(&mut second, None)?;
-            return Ok(PassTimes {
-                capture_milliseconds,
-                resolve_milliseconds: wall_milliseconds(gpu, second)?,
-            });
-        };
-
-        // Stamp both passes in one submission.
-        let mut both = encoder();
-        capture(&mut both, Some(stamps.writes(0)))?;
-        resolve(&mut both, Some(stamps.writes(2)))?;
-        gpu.checked("timed passes", || {
-            both.resolve_query_set(&stamps.queries, 0..STAMPS, &stamps.resolved, 0);
-            both.copy_buffer_to_buffer(&stamps.resolved, 0, &stamps.readable, 0, stamps.readable.size());
-            gpu.queue.submit([both.finish()])
-        })?;
-        let bytes = read_back::mapped_bytes(&gpu.device, &stamps.readable)?;
-        let ticks: Vec<u64> = bytes.as_chunks().0.iter().map(|bytes| u64::from_le_bytes(*bytes)).collect();
-        let between = |start: usize| {
-            let ticks = ticks
-                .get(start + 1)
-                .zip(ticks.get(start))
-                .map_or(0, |(end, start)| end.saturating_sub(*start));
-            ticks as f64 * stamps.milliseconds_per_tick
-        };
-        Ok(PassTimes { capture_milliseconds: between(0), resolve_milliseconds: between(2) })
+        let times = self.time_sequence(gpu, &mut [capture, resolve])?.passes_milliseconds;
+        let pass = |index: usize| times.get(index).copied().unwrap_or_default();
+        Ok(PassTimes { capture_milliseconds: pass(0), resolve_milliseconds: pass(1) })
     }
 }
 
-/// Where a pass writes its timestamps.
-type Writes<'a> = wgpu::RenderPassTimestampWrites<'a>;
-
 impl Stamps {
+    /// Stamps all passes in one submission.
+    fn time(&self, gpu: &Gpu, passes: &mut [&mut RecordPass<'_>]) -> Result<SequenceTimes, GpuError> {
+        let mut encoder = encoder(gpu);
+        for (pass, first) in passes.iter_mut().zip((0..self.queries.count()).step_by(2)) {
+            pass(&mut encoder, Some(self.writes(first)))?;
+        }
+        let used = (2 * passes.len() as u32).min(self.queries.count());
+        gpu.checked("timed passes", || {
+            encoder.resolve_query_set(&self.queries, 0..used, &self.resolved, 0);
+            encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, self.readable.size());
+            gpu.queue.submit([encoder.finish()])
+        })?;
+
+        // Read the ticks.
+        let bytes = read_back::mapped_bytes(&gpu.device, &self.readable)?;
+        let ticks: Vec<u64> = bytes.as_chunks().0.iter().map(|bytes| u64::from_le_bytes(*bytes)).collect();
+        let ticks = ticks.get(..used as usize).unwrap_or_default();
+        let milliseconds =
+            |from: u64, to: u64| to.saturating_sub(from) as f64 * self.milliseconds_per_tick;
+        let whole = ticks.first().zip(ticks.last());
+        Ok(SequenceTimes {
+            passes_milliseconds: ticks.as_chunks().0.iter().map(|[from, to]| milliseconds(*from, *to)).collect(),
+            whole_milliseconds: whole.map_or(0.0, |(from, to)| milliseconds(*from, *to)),
+        })
+    }
+
     const fn writes(&self, first: u32) -> Writes<'_> {
         wgpu::RenderPassTimestampWrites {
             query_set: &self.queries,
@@ -125,9 +147,21 @@ impl Stamps {
     }
 }
 
-fn wall_milliseconds(gpu: &Gpu, encoder: wgpu::CommandEncoder) -> Result<f64, GpuError> {
-    let start = Instant::now();
-    gpu.checked("timed passes", || gpu.queue.submit([encoder.finish()]))?;
-    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|_| ServiceError::DeviceLost)?;
-    Ok(start.elapsed().as_secs_f64() * 1e3)
+/// Submits and waits for every pass by itself.
+fn wall_times(gpu: &Gpu, passes: &mut [&mut RecordPass<'_>]) -> Result<SequenceTimes, GpuError> {
+    let mut passes_milliseconds = Vec::with_capacity(passes.len());
+    for pass in passes {
+        let mut encoder = encoder(gpu);
+        pass(&mut encoder, None)?;
+        let start = Instant::now();
+        gpu.checked("timed passes", || gpu.queue.submit([encoder.finish()]))?;
+        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|_| ServiceError::DeviceLost)?;
+        passes_milliseconds.push(start.elapsed().as_secs_f64() * 1e3);
+    }
+    let whole_milliseconds = passes_milliseconds.iter().sum();
+    Ok(SequenceTimes { passes_milliseconds, whole_milliseconds })
+}
+
+fn encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
+    gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
 }

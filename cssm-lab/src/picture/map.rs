@@ -142,7 +142,7 @@ impl<'a> Part<'a> {
     }
 
     fn write_number(&self, picture: &mut Picture, x: usize, y: usize) {
-        picture.text(x, y, &self.facet.index.to_string(), NUMBER);
+        picture.text(x, y, &self.facet.first_cell().to_string(), NUMBER);
     }
 }
 

@@ -3,6 +3,7 @@
 
 use cssm_core::glam::DVec3;
 
+use super::lamp::{self, Places};
 use super::place::{shaded, upright, viewpoint};
 use super::random::Random;
 use super::solid::MeshBuilder;
@@ -70,7 +71,19 @@ pub(super) fn scene() -> Scene {
         viewpoint([-41.0, 1.9, 118.0], [-40.0, 2.5, 0.0], [0.7, -0.6, -0.15]),
         viewpoint([122.0, 22.0, 168.0], [60.0, 2.0, 90.0], [-0.5, -0.6, -0.35]),
     ];
-    Scene { name: "city".to_owned(), meshes, instances, views }
+    let places = Places {
+        in_view: [-1.7, 5.0, 22.0],
+        behind: [1.1, 2.6, -8.0],
+        beside: [0.8, 18.0, 22.1],
+        outside: [-3.1, 28.0, 13.1],
+        at_eye: [0.4, 0.5, 0.1],
+        wall_world: [-25.068, 4.984, 101.741],
+        ahead: [[2.0, 1.5, -1.0], [0.0, 0.0, 30.0]],
+        aside: [[5.0, 2.5, 40.0], [-4.0, -1.0, 30.0]],
+        dueling: [[1.5, 5.8, 58.0], [-0.2, -2.0, 18.0]],
+    };
+    let lamps = lamp::around(views[1], &places);
+    Scene { name: "city".to_owned(), meshes, instances, views, lamps }
 }
 
 fn put(instances: &mut Vec<Instance>, mesh: usize, place: DVec3, turn_radians: f64, colour: [f32; 3]) {

@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 
 use cssm_core::glam::DVec3;
 
+use super::lamp::{self, Places};
 use super::place::{shaded, upright, viewpoint};
 use super::random::Random;
 use super::{Instance, Mesh, Scene};
@@ -37,7 +38,19 @@ pub(super) fn scene() -> Scene {
         viewpoint(over_ground(3.0, 1.9, 120.0), over_ground(-2.0, 3.0, 60.0), [0.9, -0.3, -0.1]),
         viewpoint(over_ground(-13.0, 11.0, -118.0), over_ground(-6.0, 1.0, -70.0), [0.3, -0.4, 0.85]),
     ];
-    Scene { name: "forest".to_owned(), meshes, instances, views }
+    let places = Places {
+        in_view: [1.0, 1.6, 14.0],
+        behind: [0.4, 1.2, -6.0],
+        beside: [2.0, 12.0, 16.0],
+        outside: [-6.0, 14.0, 8.0],
+        at_eye: [0.4, 0.5, 0.1],
+        wall_world: [-65.628, 7.372, 16.577],
+        ahead: [[2.0, 1.5, -1.0], [0.0, -0.5, 18.0]],
+        aside: [[14.0, 7.0, 20.0], [-4.0, 0.0, 26.0]],
+        dueling: [[3.0, 7.0, 46.0], [0.0, -1.0, 14.0]],
+    };
+    let lamps = lamp::around(views[0], &places);
+    Scene { name: "forest".to_owned(), meshes, instances, views, lamps }
 }
 
 /// How far a place lies from where trees may stand, in metres; negative among them.

@@ -219,7 +219,7 @@ fn parse(bytes: &[u8], path: &Path, name: String) -> Result<Scene, SceneFileErro
     if triangles == 0 {
         return Err(SceneFileError::Empty { path: path.to_owned() });
     }
-    let mut scene = Scene { name, meshes, instances, views: Vec::new() };
+    let mut scene = Scene { name, meshes, instances, views: Vec::new(), lamps: Vec::new() };
     scene.views = surrounding_views(&scene);
     Ok(scene)
 }

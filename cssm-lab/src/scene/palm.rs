@@ -2,6 +2,7 @@
 
 use cssm_core::glam::{DAffine3, DMat3, DVec3};
 
+use super::lamp::{self, Places};
 use super::place::{turn_about_y, viewpoint};
 use super::random::Random;
 use super::solid::MeshBuilder;
@@ -65,7 +66,19 @@ pub(super) fn scene() -> Scene {
         viewpoint([-16.0, 9.0, 6.0], [0.0, 1.0, -3.0], [0.3, -0.8, 0.6]),
         viewpoint([2.0, 1.7, 24.0], [-1.0, 2.5, 0.0], [0.35, -0.5, 0.8]),
     ];
-    Scene { name: "palm".to_owned(), meshes, instances, views }
+    let places = Places {
+        in_view: [1.6, 7.5, 17.7],
+        behind: [3.0, 2.5, -6.0],
+        beside: [-1.1, 15.4, 17.8],
+        outside: [0.0, 19.3, 11.6],
+        at_eye: [0.4, 0.5, 0.1],
+        wall_world: [0.120, 1.607, -0.152],
+        ahead: [[2.0, 1.5, -1.0], [0.0, 0.0, 20.0]],
+        aside: [[10.0, 9.0, 20.0], [-1.0, -2.0, 18.0]],
+        dueling: [[-4.7, 14.8, 29.0], [-0.3, -3.6, 14.3]],
+    };
+    let lamps = lamp::around(views[1], &places);
+    Scene { name: "palm".to_owned(), meshes, instances, views, lamps }
 }
 
 fn ground() -> Mesh {

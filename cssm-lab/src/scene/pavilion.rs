@@ -5,6 +5,7 @@
 mod garden;
 mod structure;
 
+use super::lamp::{self, Places};
 use super::place::viewpoint;
 use super::random::Random;
 use super::{Instance, Mesh, Scene};
@@ -21,7 +22,19 @@ pub(super) fn scene() -> Scene {
         viewpoint([2.9, 2.1, 1.4], [-4.0, 1.3, -2.4], [0.75, -0.22, 0.45]),
         viewpoint([10.5, 6.5, -8.0], [0.5, 0.6, 0.5], [-0.72, -0.42, 0.35]),
     ];
-    Scene { name: "pavilion".to_owned(), meshes: parts.meshes, instances: parts.instances, views }
+    let places = Places {
+        in_view: [-0.5, 1.0, 4.7],
+        behind: [0.4, 0.7, -1.8],
+        beside: [-0.8, 1.5, 2.2],
+        outside: [2.7, 1.2, 1.0],
+        at_eye: [0.4, 0.5, 0.1],
+        wall_world: [-4.237, 1.354, 1.004],
+        ahead: [[0.8, 0.6, -0.4], [0.0, 0.0, 6.0]],
+        aside: [[2.5, 1.4, 3.0], [-2.0, -1.2, 4.5]],
+        dueling: [[-0.2, 2.2, 10.5], [0.3, -1.2, 3.6]],
+    };
+    let lamps = lamp::around(views[1], &places);
+    Scene { name: "pavilion".to_owned(), meshes: parts.meshes, instances: parts.instances, views, lamps }
 }
 
 /// What the scene is being put together from.

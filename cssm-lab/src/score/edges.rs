@@ -3,7 +3,6 @@
 use cssm_core::view::ViewError;
 use cssm_core::{Light, View};
 
-use super::FACING_COSINE;
 use crate::truth::{Frame, Tracer, Visible};
 
 /// Neighbours whose normals differ by more than this lie on different surfaces (one degree).
@@ -60,8 +59,7 @@ impl Marks {
     /// Shadow edges: neighbours on one surface, both facing the light, one lit and one not.
     pub(super) fn edges(frame: &Frame, lattice: Lattice, lit: impl Fn(usize) -> bool) -> Self {
         Self::between(frame, lattice, |one, two| {
-            let faces =
-                |index: usize| frame.pixels[index].as_ref().filter(|pixel| pixel.cosine > FACING_COSINE);
+            let faces = |index: usize| frame.pixels[index].as_ref().filter(|pixel| pixel.faces_light());
             let (Some(first), Some(second)) = (faces(one), faces(two)) else {
                 return false;
             };
@@ -76,8 +74,7 @@ impl Marks {
             Self::between(frame, lattice, |one, two| match (&frame.pixels[one], &frame.pixels[two]) {
                 (None, None) => false,
                 (Some(first), Some(second)) => {
-                    (first.cosine > FACING_COSINE) != (second.cosine > FACING_COSINE)
-                        || !same_surface(first, second)
+                    first.faces_light() != second.faces_light() || !same_surface(first, second)
                 }
                 _ => true,
             });

@@ -56,7 +56,7 @@ impl Assignment {
             .par_iter()
             .map(|pixel| {
                 let pixel = pixel.as_ref()?;
-                let facet = plan.facet(plan.selection.facet(pixel.position.extend(1.0)))?;
+                let facet = plan.facet(plan.selection.cell(pixel.position.extend(1.0)))?;
                 let volume = footprint::volume(facet, view, pixel.position);
                 let surface = footprint::surface(facet, view, pixel.position, pixel.normal);
                 let capped = |pixels: f64| {
@@ -67,7 +67,7 @@ impl Assignment {
                     geometric_pixels: capped(volume.geometric_pixels),
                     surface_pixels: capped(surface),
                 };
-                Some((facet.index, footprint))
+                Some((facet.first_cell(), footprint))
             })
             .collect();
 
@@ -107,7 +107,7 @@ impl Assignment {
             Percentiles::of(self.footprints.iter().flatten().map(pick).collect())
         };
         let facing = self.footprints.iter().zip(&frame.pixels).filter_map(|(footprint, pixel)| {
-            pixel.as_ref().filter(|pixel| pixel.cosine > super::FACING_COSINE)?;
+            pixel.as_ref().filter(|pixel| pixel.faces_light())?;
             Some(footprint.as_ref()?.surface_pixels)
         });
         FrameFootprint {
@@ -122,6 +122,7 @@ impl Assignment {
 pub fn map_texel(facet: &Facet, point_from_eye: DVec3) -> Option<(f64, f64)> {
     let point = point_from_eye.extend(1.0);
     let w = facet.rows.w.dot(point);
-    let (x, y) = (facet.rows.x.dot(point) / w, facet.rows.y.dot(point) / w);
+    let rows = &facet.rows;
+    let (x, y) = (rows.x.dot(point) / w, rows.remap.y(rows.y.dot(point) / w));
     (w > 0.0 && x.abs() <= 1.0 && y.abs() <= 1.0).then(|| facet.tile.texel_from_ndc(x, y))
 }

@@ -16,6 +16,12 @@ const STRIP_PIXELS: f64 = 2.0;
 pub struct Seam {
     /// True edge pixels in the strip.
     pub strip_edge_pixels: u64,
+    /// True edge pixels elsewhere.
+    pub elsewhere_edge_pixels: u64,
+    /// Mean displacement in the strip; 0 without edges.
+    pub strip_mean: f64,
+    /// Mean displacement elsewhere; 0 without edges.
+    pub elsewhere_mean: f64,
     /// Displacement in the strip.
     pub strip: Percentiles,
     /// Displacement elsewhere.
@@ -54,13 +60,17 @@ impl Seam {
                 .is_some_and(|verdict| verdict.facing && verdict.wrong() && verdict.place == Place::Interior)
                 && to_boundary[lattice.of_pixel(*index)] <= STRIP_PIXELS
         });
-        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len().max(1) as f64;
         let ratio = |one: f64, two: f64| Some(one / two).filter(|ratio| ratio.is_finite());
-        let mean_ratio = ratio(mean(&strip), mean(&elsewhere));
-        let strip_edge_pixels = strip.len() as u64;
+        let (strip_mean, elsewhere_mean) = (mean(&strip), mean(&elsewhere));
+        let mean_ratio = ratio(strip_mean, elsewhere_mean).filter(|_| !strip.is_empty());
+        let (strip_edge_pixels, elsewhere_edge_pixels) = (strip.len() as u64, elsewhere.len() as u64);
         let (strip, elsewhere) = (Percentiles::of(strip), Percentiles::of(elsewhere));
         Some(Self {
             strip_edge_pixels,
+            elsewhere_edge_pixels,
+            strip_mean,
+            elsewhere_mean,
             strip,
             elsewhere,
             mean_ratio,

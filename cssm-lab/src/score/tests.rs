@@ -17,9 +17,11 @@ fn plane(lit: impl Fn(usize, usize) -> bool) -> Frame {
                 position: DVec3::new(x as f64, -100.0, y as f64),
                 normal: DVec3::Y,
                 cosine: 0.7,
+                light_metres: f64::INFINITY,
                 depth: 100.0,
                 instance: 0,
                 triangle: 0,
+                reached: true,
                 lit: lit(x, y),
             })
         })

@@ -12,7 +12,7 @@ fn scene(meshes: Vec<Mesh>, places: &[(usize, DVec3)]) -> Scene {
             colour: [0.5; 3],
         })
         .collect();
-    Scene { name: "made".to_owned(), meshes, instances, views: Vec::new() }
+    Scene { name: "made".to_owned(), meshes, instances, views: Vec::new(), lamps: Vec::new() }
 }
 
 fn quad(size: f32) -> Mesh {
@@ -139,9 +139,12 @@ fn hierarchy_agrees_with_trying_every_triangle() {
             assert_eq!(found.map(|hit| hit.distance), tried.map(|hit| hit.distance));
             let Some(hit) = found else { continue };
             let point = view.eye_world + ray * hit.distance;
-            let blocked = tracer.blocked(point, direction.normalize(), 1e-9, hit.triangle, &mut stack);
-            let tried = tracer.blocked_tried(point, direction.normalize(), 1e-9, hit.triangle);
-            assert_eq!(blocked, tried, "light {index}, pixel {pixel}");
+            for end in [f64::INFINITY, 3.0] {
+                let (toward, within) = (direction.normalize(), 1e-9..end);
+                let blocked = tracer.blocked(point, toward, within.clone(), hit.triangle, &mut stack);
+                let tried = tracer.blocked_tried(point, toward, within, hit.triangle);
+                assert_eq!(blocked, tried, "light {index}, pixel {pixel}, up to {end}");
+            }
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Nearest hits and any hits among all triangles of a scene; rays pass through the holes of alpha masks.
 
+use std::ops::Range;
+
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::BHShape;
 use bvh::bvh::{Bvh, BvhNode, rayon_executor};
@@ -143,12 +145,12 @@ impl Tracer {
         best
     }
 
-    /// Whether anything but `except` lies on the ray beyond `start`. `stack` is scratch space.
+    /// Whether anything but `except` lies inside an interval of the ray. `stack` is scratch space.
     pub fn blocked(
         &self,
         origin: DVec3,
         direction: DVec3,
-        start: f64,
+        within: Range<f64>,
         except: u32,
         stack: &mut Vec<u32>,
     ) -> bool {
@@ -158,14 +160,16 @@ impl Tracer {
         while let Some(index) = stack.pop() {
             match &self.nodes[index as usize] {
                 Node::Leaf { triangle } => {
-                    let beyond = |distance: f64| *triangle != except && distance > start;
-                    if self.hit(*triangle, origin, direction, beyond).is_some() {
+                    let inside = |distance: f64| {
+                        *triangle != except && distance > within.start && distance < within.end
+                    };
+                    if self.hit(*triangle, origin, direction, inside).is_some() {
                         return true;
                     }
                 }
                 Node::Inner { children, boxes } => {
                     for (child, slab) in children.iter().zip(boxes) {
-                        if slab.entered(origin, inverse, start, f64::INFINITY).is_some() {
+                        if slab.entered(origin, inverse, within.start, within.end).is_some() {
                             stack.push(*child);
                         }
                     }
@@ -248,10 +252,17 @@ impl Tracer {
     }
 
     /// [`Self::blocked`] without the hierarchy.
-    pub(super) fn blocked_tried(&self, origin: DVec3, direction: DVec3, start: f64, except: u32) -> bool {
+    pub(super) fn blocked_tried(
+        &self,
+        origin: DVec3,
+        direction: DVec3,
+        within: Range<f64>,
+        except: u32,
+    ) -> bool {
         (0..self.triangles.len() as u32).any(|triangle| {
-            let beyond = |distance: f64| triangle != except && distance > start;
-            self.hit(triangle, origin, direction, beyond).is_some()
+            let inside =
+                |distance: f64| triangle != except && distance > within.start && distance < within.end;
+            self.hit(triangle, origin, direction, inside).is_some()
         })
     }
 }

@@ -3,9 +3,10 @@
 use cssm_core::plan::DepthOrder;
 use cssm_core::table::{CaseTable, GroupContent, ShaderKind};
 
+use super::stretched::{MeshLayout, Stretched, fetches_by_itself};
 use super::{INSTANCE_SLOT, POSITION_SLOT, UV_SLOT};
 use crate::atlas::texture_format;
-use crate::commands::PipelineHandle;
+use crate::commands::{Drawing, PipelineHandle};
 use crate::cull::InstanceRows;
 use crate::depth_order::ByOrder;
 use crate::error::ServiceError;
@@ -18,7 +19,8 @@ pub(crate) struct CapturePipelines {
     opaque: CaptureProgram,
     tested: Option<TestedProgram>,
     unclipped_depth: bool,
-    pipelines: Vec<(VertexKey, ByOrder<wgpu::RenderPipeline>)>,
+    pipelines: Vec<(Option<VertexKey>, ByOrder<wgpu::RenderPipeline>)>,
+    stretched: Option<Stretched>,
 }
 
 /// What distinguishes capture pipelines.
@@ -50,8 +52,14 @@ struct CaptureProgram {
 #[derive(Debug)]
 struct TestedProgram {
     program: CaptureProgram,
-    mask_layout: wgpu::BindGroupLayout,
-    mask_group: u32,
+    mask: TestedLayout,
+}
+
+/// The bind group of alpha masks.
+#[derive(Debug)]
+struct TestedLayout {
+    layout: wgpu::BindGroupLayout,
+    group: u32,
 }
 
 impl CapturePipelines {
@@ -68,12 +76,16 @@ impl CapturePipelines {
         } else {
             (ShaderKind::CaptureClamped, ShaderKind::CaptureTestedClamped)
         };
+        if fetches_by_itself(table) {
+            return Self::stretching(device, table, opaque, unclipped_depth, facet_layout);
+        }
         let opaque = CaptureProgram::new(device, table, opaque, &[Some(facet_layout)])?;
         let tested = match table.pass(tested) {
             Some(_) => Some(TestedProgram::new(device, table, tested, facet_layout)?),
             None => None,
         };
-        let mut pipelines = Self { opaque, tested, unclipped_depth, pipelines: Vec::new() };
+        let mut pipelines =
+            Self { opaque, tested, unclipped_depth, pipelines: Vec::new(), stretched: None };
 
         // Create the most common ones now, so that faulty shaders are refused here and not at the first mesh.
         let positions = Attribute { format: wgpu::VertexFormat::Float32x3, stride_bytes: 12 };
@@ -85,6 +97,64 @@ impl CapturePipelines {
         Ok(pipelines)
     }
 
+    /// The programs of a table whose shaders fetch vertices by themselves: three pipelines, whatever the vertex formats.
+    fn stretching(
+        device: &wgpu::Device,
+        table: &CaseTable,
+        ordinary: ShaderKind,
+        unclipped_depth: bool,
+        facet_layout: &wgpu::BindGroupLayout,
+    ) -> Result<Self, ServiceError> {
+        let mut opaque = MeshLayout::new(device, table, ordinary)?;
+        let groups = |mesh: &MeshLayout| (mesh.group as usize, mesh.layout.clone());
+        let with_mesh = |(group, layout): (usize, wgpu::BindGroupLayout), mask: Option<&TestedLayout>| {
+            let count = 1 + group.max(mask.map_or(0, |mask| mask.group as usize));
+            let mut groups = vec![None; count];
+            groups[0] = Some(facet_layout.clone());
+            groups[group] = Some(layout);
+            if let Some(mask) = mask {
+                groups[mask.group as usize] = Some(mask.layout.clone());
+            }
+            groups
+        };
+        let program = |shader, groups: Vec<Option<wgpu::BindGroupLayout>>| {
+            let groups: Vec<_> = groups.iter().map(Option::as_ref).collect();
+            CaptureProgram::new(device, table, shader, &groups)
+        };
+        let ordinary = program(ordinary, with_mesh(groups(&opaque), None))?;
+        let bent = program(ShaderKind::CaptureBent, with_mesh(groups(&opaque), None))?;
+        let mut pipelines = Vec::new();
+        let mut add = |program: &CaptureProgram, unclipped_depth: bool| {
+            let create = |order| program.pipeline(device, table, None, order, unclipped_depth);
+            let created = checked(device, "a capture pipeline", || ByOrder::new(table, create))?;
+            pipelines.push((None, created));
+            Ok::<_, ServiceError>(PipelineHandle(pipelines.len() as u32 - 1))
+        };
+        opaque.pipeline = add(&ordinary, unclipped_depth)?;
+        opaque.drawing = Drawing::Both(add(&bent, false)?);
+
+        // Casters with a mask have a fragment stage in any case: one pipeline draws all their triangles.
+        let shader = ShaderKind::CaptureBentTested;
+        let (tested, tested_layout) = match table.pass(shader) {
+            None => (None, None),
+            Some(_) => {
+                let mask = TestedLayout::new(device, table, shader)?;
+                let mut layout = MeshLayout::new(device, table, shader)?;
+                let program = program(shader, with_mesh(groups(&layout), Some(&mask)))?;
+                layout.pipeline = add(&program, false)?;
+                layout.drawing = Drawing::Fans;
+                (Some(TestedProgram { program, mask }), Some(layout))
+            }
+        };
+        let stretched = Some(Stretched { opaque, tested: tested_layout });
+        Ok(Self { opaque: ordinary, tested, unclipped_depth, pipelines, stretched })
+    }
+
+    /// How meshes are bound whose vertices the shaders fetch by themselves; `None` where the pipeline fetches them.
+    pub(crate) fn stretched(&self) -> Option<&Stretched> {
+        self.stretched.as_ref()
+    }
+
     /// Which of the two shaders for casters without a mask runs.
     pub(crate) fn shader(&self) -> ShaderKind {
         self.opaque.shader
@@ -92,12 +162,12 @@ impl CapturePipelines {
 
     /// Layout of the bind groups of alpha masks, if the case declares any.
     pub(crate) fn mask_layout(&self) -> Option<&wgpu::BindGroupLayout> {
-        self.tested.as_ref().map(|tested| &tested.mask_layout)
+        self.tested.as_ref().map(|tested| &tested.mask.layout)
     }
 
     /// Number of the bind group of alpha masks.
     pub(super) fn mask_group(&self) -> u32 {
-        self.tested.as_ref().map_or(0, |tested| tested.mask_group)
+        self.tested.as_ref().map_or(0, |tested| tested.mask.group)
     }
 
     /// The pipeline of a handle for a depth order.
@@ -116,7 +186,7 @@ impl CapturePipelines {
         table: &CaseTable,
         key: VertexKey,
     ) -> Result<PipelineHandle, ServiceError> {
-        let known = self.pipelines.iter().position(|(known, _)| *known == key);
+        let known = self.pipelines.iter().position(|(known, _)| *known == Some(key));
         let index = match known {
             Some(index) => index,
             None => {
@@ -127,9 +197,10 @@ impl CapturePipelines {
                         &tested.ok_or_else(|| incomplete(table, "pass for casters with a mask"))?.program
                     }
                 };
-                let create = |order| program.pipeline(device, table, key, order, self.unclipped_depth);
+                let create =
+                    |order| program.pipeline(device, table, Some(key), order, self.unclipped_depth);
                 let created = checked(device, "a capture pipeline", || ByOrder::new(table, create))?;
-                self.pipelines.push((key, created));
+                self.pipelines.push((Some(key), created));
                 self.pipelines.len() - 1
             }
         };
@@ -151,15 +222,22 @@ impl TestedProgram {
         facet_layout: &wgpu::BindGroupLayout,
     ) -> Result<Self, ServiceError> {
         let facet = required_group(table, shader, GroupContent::CaptureFacet)?.group;
-        let mask = required_group(table, shader, GroupContent::CasterMask)?;
-        let mask_layout = checked(device, "the bind group layout of alpha masks", || {
-            group_layout(device, table, mask, wgpu::ShaderStages::FRAGMENT)
-        })?;
+        let mask = TestedLayout::new(device, table, shader)?;
         let mut groups = vec![None; 1 + facet.max(mask.group) as usize];
         groups[facet as usize] = Some(facet_layout);
-        groups[mask.group as usize] = Some(&mask_layout);
+        groups[mask.group as usize] = Some(&mask.layout);
         let program = CaptureProgram::new(device, table, shader, &groups)?;
-        Ok(Self { program, mask_group: mask.group, mask_layout })
+        Ok(Self { program, mask })
+    }
+}
+
+impl TestedLayout {
+    fn new(device: &wgpu::Device, table: &CaseTable, shader: ShaderKind) -> Result<Self, ServiceError> {
+        let mask = required_group(table, shader, GroupContent::CasterMask)?;
+        let layout = checked(device, "the bind group layout of alpha masks", || {
+            group_layout(device, table, mask, wgpu::ShaderStages::FRAGMENT)
+        })?;
+        Ok(Self { layout, group: mask.group })
     }
 }
 
@@ -192,7 +270,7 @@ impl CaptureProgram {
         &self,
         device: &wgpu::Device,
         table: &CaseTable,
-        key: VertexKey,
+        key: Option<VertexKey>,
         order: DepthOrder,
         unclipped_depth: bool,
     ) -> wgpu::RenderPipeline {
@@ -204,29 +282,22 @@ impl CaptureProgram {
         let first = |attribute: Attribute, location: u32| {
             [wgpu::VertexAttribute { format: attribute.format, offset: 0, shader_location: location }]
         };
-        let position_attributes = first(key.positions, 0);
-        let uv_attributes = key.uvs.map(|uvs| (uvs, first(uvs, 4)));
+        let positions = key.map(|key| (key.positions, first(key.positions, 0)));
+        let uvs = key.and_then(|key| key.uvs).map(|uvs| (uvs, first(uvs, 4)));
         let instance_attributes = [row(1), row(2), row(3)];
 
         // Buffers in the order of their slots.
         let mut buffers = [None, None, None];
-        buffers[POSITION_SLOT as usize] = Some(wgpu::VertexBufferLayout {
-            array_stride: u64::from(key.positions.stride_bytes),
-            step_mode: wgpu::VertexStepMode::Vertex,
-            attributes: &position_attributes,
-        });
+        buffers[POSITION_SLOT as usize] =
+            positions.as_ref().map(|(attribute, attributes)| vertex_buffer(attribute, attributes));
         buffers[INSTANCE_SLOT as usize] = Some(wgpu::VertexBufferLayout {
             array_stride: InstanceRows::BYTES,
             step_mode: wgpu::VertexStepMode::Instance,
             attributes: &instance_attributes,
         });
         buffers[UV_SLOT as usize] =
-            uv_attributes.as_ref().map(|(uvs, attributes)| wgpu::VertexBufferLayout {
-                array_stride: u64::from(uvs.stride_bytes),
-                step_mode: wgpu::VertexStepMode::Vertex,
-                attributes,
-            });
-        let used = if key.uvs.is_some() { buffers.len() } else { UV_SLOT as usize };
+            uvs.as_ref().map(|(attribute, attributes)| vertex_buffer(attribute, attributes));
+        let used = if uvs.is_some() { buffers.len() } else { UV_SLOT as usize };
 
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some("cssm capture"),
@@ -259,5 +330,17 @@ impl CaptureProgram {
             multiview_mask: None,
             cache: None,
         })
+    }
+}
+
+/// The layout of a vertex buffer that holds one attribute.
+fn vertex_buffer<'a>(
+    attribute: &Attribute,
+    attributes: &'a [wgpu::VertexAttribute],
+) -> wgpu::VertexBufferLayout<'a> {
+    wgpu::VertexBufferLayout {
+        array_stride: u64::from(attribute.stride_bytes),
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes,
     }
 }

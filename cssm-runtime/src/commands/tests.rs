@@ -5,9 +5,12 @@ use cssm_core::facet::{Facet, FacetRows, Selection, Tile};
 use cssm_core::glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
 use cssm_core::light::LightPosition;
 use cssm_core::plan::DepthOrder;
+use cssm_core::remap::Remap;
 use cssm_core::{BoundingBox, ShadowPlan};
 
 use super::*;
+
+mod clusters;
 
 const EYE: DVec3 = DVec3::new(5e6, 2.0, -1e3);
 
@@ -16,13 +19,15 @@ fn handle(index: u32) -> MeshHandle {
 }
 
 /// Meshes 0 and 2 share a pipeline, mesh 1 has its own and no indices; there is no mesh 3.
-fn facts(mesh: MeshHandle) -> Option<MeshFacts> {
+fn facts(mesh: MeshHandle) -> Option<MeshFacts<'static>> {
     let bounds_object = BoundingBox { min: DVec3::splat(-1.0), max: DVec3::splat(1.0) };
     let facts = |pipeline, corners, indexed| MeshFacts {
         pipeline: PipelineHandle(pipeline),
         corners,
         indexed,
         bounds_object,
+        clusters: &[],
+        drawing: Drawing::Plain,
     };
     match mesh.index {
         0 => Some(facts(0, 36, true)),
@@ -35,8 +40,8 @@ fn facts(mesh: MeshHandle) -> Option<MeshFacts> {
 /// A facet that casters with x in a range reach.
 fn facet(index: u32, low: f64, high: f64) -> Facet {
     Facet {
-        index,
-        rows: FacetRows { x: DVec4::X, y: DVec4::Y, z: DVec4::Z, w: DVec4::W },
+        cells: vec![index],
+        rows: FacetRows { x: DVec4::X, y: DVec4::Y, z: DVec4::Z, w: DVec4::W, remap: Remap::NONE },
         select: Vec::new(),
         clip: Vec::new(),
         tile: Tile { x: 10 * index, y: 0, width: 10, height: 20, gutter: 1 },
@@ -45,6 +50,7 @@ fn facet(index: u32, low: f64, high: f64) -> Facet {
         depth_per_metre: 1.0,
         texel_metres_per_w: 1.0,
         receiver_plane_depth: 0.0,
+        rounding_depth: 0.0,
     }
 }
 
@@ -56,6 +62,7 @@ fn plan(facets: Vec<Facet>) -> ShadowPlan {
             configuration: "by hand",
             reason: ChoiceReason::Only,
             predictions: Vec::new(),
+            complete: true,
             made_for_position: Vec::new(),
         },
         eye_world: EYE,
@@ -64,7 +71,7 @@ fn plan(facets: Vec<Facet>) -> ShadowPlan {
         depth_order: DepthOrder::Standard,
         light: DVec4::Z,
         map_size_texels: (100, 20),
-        selection: Selection { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands: 1 },
+        selection: Selection::single(),
         facets,
     }
 }
@@ -80,7 +87,7 @@ fn one_draw_covers_all_instances_of_a_mesh_in_a_facet() {
     let casters = [at(1, 5.0), at(0, 15.0), at(2, 4.0), at(0, 6.0), at(1, 10.5), at(0, 3.0)];
     let (frame, statistics) = FrameCommands::build(&plan, &casters, facts).unwrap();
     let tile = |index: u32| Tile { x: 10 * index, y: 0, width: 10, height: 20, gutter: 1 };
-    let draw = |corners, indexed, instances| Command::Draw { corners, indexed, instances };
+    let draw = |count, indexed, instances| Command::Draw { first: 0, count, indexed, instances };
     let expected = [
         Command::Facet { facet: FacetHandle(0), tile: tile(0) },
         Command::Pipeline(PipelineHandle(0)),
@@ -101,9 +108,9 @@ fn one_draw_covers_all_instances_of_a_mesh_in_a_facet() {
     ];
     assert_eq!(frame.commands, expected);
 
-    // Rows follow the draws; within a mesh the order of the instances is kept.
+    // Rows follow the draws; within a mesh neighbours lie side by side.
     let shifts: Vec<f32> = frame.rows.iter().map(|rows| rows.0[0][3]).collect();
-    assert_eq!(shifts, [6.0, 3.0, 4.0, 5.0, 10.5, 15.0, 10.5]);
+    assert_eq!(shifts, [3.0, 6.0, 4.0, 5.0, 10.5, 15.0, 10.5]);
     let facets = [
         FacetStatistics { facet: 0, draws: 3, instances: 5, triangles: 2 * 12 + 4 + 2 },
         FacetStatistics { facet: 2, draws: 2, instances: 2, triangles: 12 + 1 },
@@ -111,6 +118,30 @@ fn one_draw_covers_all_instances_of_a_mesh_in_a_facet() {
     let total =
         FrameStatistics { casters: 6, draws: 5, instances: 7, triangles: 43, facets: facets.to_vec() };
     assert_eq!(statistics, total);
+}
+
+#[test]
+fn neighbours_are_refused_together_but_none_too_many() {
+    let step = |number: u32, prime: u32| f64::from(number * prime % 1000) * 0.04;
+    let casters: Vec<_> = (0..600)
+        .map(|number| {
+            let place = DVec3::new(step(number, 7), step(number, 31), step(number, 173));
+            CasterInstance { mesh: handle(0), world_from_object: DAffine3::from_translation(EYE + place) }
+        })
+        .collect();
+    let mut slanted = facet(0, 5.0, 20.0);
+    slanted.casters.push(DVec4::new(0.5, -1.0, 0.25, 12.3));
+    let facets = vec![facet(0, 0.0, 10.0), slanted, facet(2, 39.0, 50.0)];
+    let (frame, statistics) = FrameCommands::build(&plan(facets.clone()), &casters, facts).unwrap();
+    for (facet, counts) in facets.iter().zip(&statistics.facets) {
+        let reaches = |caster: &&CasterInstance| {
+            let centre = caster.world_from_object.translation - EYE;
+            facet.reached_by(&BoundingBox { min: centre - DVec3::ONE, max: centre + DVec3::ONE })
+        };
+        assert_eq!(counts.instances, casters.iter().filter(reaches).count() as u64);
+        assert!((20..500).contains(&counts.instances), "{} of 600", counts.instances);
+    }
+    assert_eq!(frame.rows.len() as u64, statistics.instances);
 }
 
 #[test]

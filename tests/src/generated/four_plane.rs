@@ -1,4 +1,4 @@
-// Generated from light case `FourPlane`, ce376f06917511be. Do not edit.
+// Generated from light case `FourPlane`, 08f4857a21329afe. Do not edit.
 
 /// The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 /// the light to ten metres. For light in, behind or just outside the view.
@@ -30,6 +30,8 @@ pub mod four_plane {
                 ),
             ]),
             distribution: None,
+            stretch: Stretch::None,
+            dominant_plane: None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -115,7 +117,7 @@ pub mod four_plane {
         pub depth_sign: f32,
         /// Unused; keeps the offsets of the shader.
         pub padding_0: [f32; 3],
-        /// The facets: index = sector * bands + band.
+        /// The facets: cell = (half * sectors + sector) * bands + band.
         pub facets: [FourPlaneFacet; 4],
     }
     const _: () = {
@@ -193,18 +195,25 @@ pub mod four_plane {
     pub static TABLE: ::cssm::core::table::CaseTable = tables::TABLE;
     mod tables {
         use ::std::borrow::Cow;
-        use ::cssm::core::case::{Axes, DepthFormat};
+        use ::cssm::core::case::{Axes, DepthFormat, Stretch};
+        use ::cssm::core::distribution::RemapKind;
         use ::cssm::core::table::*;
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("FourPlane"),
             prefix: Cow::Borrowed("four_plane"),
-            fingerprint: 0xce376f06917511be,
+            fingerprint: 0x08f4857a21329afe,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
+            halves: 1,
             sectors: 4,
             bands: 1,
             clips: 2,
+            dominant: false,
+            scales_thresholds: false,
+            local_light: false,
+            remap: RemapKind::None,
+            stretch: Stretch::None,
             may_reverse_depth: true,
             axes: Axes::Camera,
             shears: true,
@@ -579,7 +588,7 @@ pub mod four_plane {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, ce376f06917511be. Do not edit.
+// Generated from light case `FourPlane`, 08f4857a21329afe. Do not edit.
 
 enable clip_distances;
 
@@ -663,7 +672,7 @@ fn four_plane_capture_vertex(vertex: FourPlaneCasterVertex) -> FourPlaneClippedC
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, ce376f06917511be. Do not edit.
+// Generated from light case `FourPlane`, 08f4857a21329afe. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct FourPlaneCapture {
@@ -773,7 +782,7 @@ fn four_plane_capture_clamped_fragment(caster: FourPlaneClampedCaster) -> @built
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, ce376f06917511be. Do not edit.
+// Generated from light case `FourPlane`, 08f4857a21329afe. Do not edit.
 
 /// Width and height of the map in texels.
 const FOUR_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -806,7 +815,7 @@ struct FourPlaneShadow {
     shear: vec4<f32>,
     /// 1 where stored depth grows away from the light, -1 where it falls.
     depth_sign: f32,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<FourPlaneFacet, 4>,
 }
 
@@ -1069,7 +1078,7 @@ fn four_plane_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0)
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, ce376f06917511be. Do not edit.
+// Generated from light case `FourPlane`, 08f4857a21329afe. Do not edit.
 
 /// Width and height of the map in texels.
 const FOUR_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1102,7 +1111,7 @@ struct FourPlaneShadow {
     shear: vec4<f32>,
     /// 1 where stored depth grows away from the light, -1 where it falls.
     depth_sign: f32,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<FourPlaneFacet, 4>,
 }
 

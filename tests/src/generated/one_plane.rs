@@ -1,4 +1,4 @@
-// Generated from light case `OnePlane`, eb337c0dd59f8625. Do not edit.
+// Generated from light case `OnePlane`, 7a8ff92aa300a6cb. Do not edit.
 
 /// The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 /// metres. For light from outside the view; the other lights need `four_plane` beside it.
@@ -27,6 +27,8 @@ pub mod one_plane {
                     [("focus", Value::Number(10.0)), ("share", Value::Number(0.5))],
                 ),
             ),
+            stretch: Stretch::None,
+            dominant_plane: None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -108,7 +110,7 @@ pub mod one_plane {
         pub depth_sign: f32,
         /// Unused; keeps the offsets of the shader.
         pub padding_0: [f32; 3],
-        /// The facets: index = sector * bands + band.
+        /// The facets: cell = (half * sectors + sector) * bands + band.
         pub facets: [OnePlaneFacet; 1],
     }
     const _: () = {
@@ -182,18 +184,25 @@ pub mod one_plane {
     pub static TABLE: ::cssm::core::table::CaseTable = tables::TABLE;
     mod tables {
         use ::std::borrow::Cow;
-        use ::cssm::core::case::{Axes, DepthFormat};
+        use ::cssm::core::case::{Axes, DepthFormat, Stretch};
+        use ::cssm::core::distribution::RemapKind;
         use ::cssm::core::table::*;
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("OnePlane"),
             prefix: Cow::Borrowed("one_plane"),
-            fingerprint: 0xeb337c0dd59f8625,
+            fingerprint: 0x7a8ff92aa300a6cb,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
+            halves: 1,
             sectors: 1,
             bands: 1,
             clips: 0,
+            dominant: false,
+            scales_thresholds: false,
+            local_light: false,
+            remap: RemapKind::None,
+            stretch: Stretch::None,
             may_reverse_depth: true,
             axes: Axes::Camera,
             shears: true,
@@ -547,7 +556,7 @@ pub mod one_plane {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, eb337c0dd59f8625. Do not edit.
+// Generated from light case `OnePlane`, 7a8ff92aa300a6cb. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct OnePlaneCapture {
@@ -612,7 +621,7 @@ fn one_plane_capture_vertex(vertex: OnePlaneCasterVertex) -> @builtin(position) 
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, eb337c0dd59f8625. Do not edit.
+// Generated from light case `OnePlane`, 7a8ff92aa300a6cb. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct OnePlaneCapture {
@@ -704,7 +713,7 @@ fn one_plane_capture_clamped_fragment(caster: OnePlaneClampedCaster) -> @builtin
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, eb337c0dd59f8625. Do not edit.
+// Generated from light case `OnePlane`, 7a8ff92aa300a6cb. Do not edit.
 
 /// Width and height of the map in texels.
 const ONE_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -733,7 +742,7 @@ struct OnePlaneShadow {
     shear: vec4<f32>,
     /// 1 where stored depth grows away from the light, -1 where it falls.
     depth_sign: f32,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<OnePlaneFacet, 1>,
 }
 
@@ -970,7 +979,7 @@ fn one_plane_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) 
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, eb337c0dd59f8625. Do not edit.
+// Generated from light case `OnePlane`, 7a8ff92aa300a6cb. Do not edit.
 
 /// Width and height of the map in texels.
 const ONE_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -999,7 +1008,7 @@ struct OnePlaneShadow {
     shear: vec4<f32>,
     /// 1 where stored depth grows away from the light, -1 where it falls.
     depth_sign: f32,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<OnePlaneFacet, 1>,
 }
 

@@ -1,4 +1,4 @@
-// Generated from light case `Planes`, 6fde89a0240707fd. Do not edit.
+// Generated from light case `Planes`, 901dd7350f189727. Do not edit.
 
 /// Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 /// smaller footprint, here with the bands that the paper does not have.
@@ -36,6 +36,8 @@ pub mod planes {
                     [("count", Value::Count(8)), ("horizon", Value::Number(100000.0))],
                 ),
             ),
+            stretch: Stretch::None,
+            dominant_plane: None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -129,7 +131,7 @@ pub mod planes {
         pub depth_sign: f32,
         /// Unused; keeps the offsets of the shader.
         pub padding_0: [f32; 3],
-        /// The facets: index = sector * bands + band.
+        /// The facets: cell = (half * sectors + sector) * bands + band.
         pub facets: [PlanesFacet; 32],
     }
     const _: () = {
@@ -209,18 +211,25 @@ pub mod planes {
     pub static TABLE: ::cssm::core::table::CaseTable = tables::TABLE;
     mod tables {
         use ::std::borrow::Cow;
-        use ::cssm::core::case::{Axes, DepthFormat};
+        use ::cssm::core::case::{Axes, DepthFormat, Stretch};
+        use ::cssm::core::distribution::RemapKind;
         use ::cssm::core::table::*;
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Planes"),
             prefix: Cow::Borrowed("planes"),
-            fingerprint: 0x6fde89a0240707fd,
+            fingerprint: 0x901dd7350f189727,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
+            halves: 1,
             sectors: 4,
             bands: 8,
             clips: 2,
+            dominant: false,
+            scales_thresholds: false,
+            local_light: false,
+            remap: RemapKind::None,
+            stretch: Stretch::None,
             may_reverse_depth: true,
             axes: Axes::Camera,
             shears: true,
@@ -621,7 +630,7 @@ pub mod planes {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 6fde89a0240707fd. Do not edit.
+// Generated from light case `Planes`, 901dd7350f189727. Do not edit.
 
 enable clip_distances;
 
@@ -705,7 +714,7 @@ fn planes_capture_vertex(vertex: PlanesCasterVertex) -> PlanesClippedCaster {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 6fde89a0240707fd. Do not edit.
+// Generated from light case `Planes`, 901dd7350f189727. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PlanesCapture {
@@ -815,7 +824,7 @@ fn planes_capture_clamped_fragment(caster: PlanesClampedCaster) -> @builtin(frag
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 6fde89a0240707fd. Do not edit.
+// Generated from light case `Planes`, 901dd7350f189727. Do not edit.
 
 /// Width and height of the map in texels.
 const PLANES_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -856,7 +865,7 @@ struct PlanesShadow {
     shear: vec4<f32>,
     /// 1 where stored depth grows away from the light, -1 where it falls.
     depth_sign: f32,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<PlanesFacet, 32>,
 }
 
@@ -1127,7 +1136,7 @@ fn planes_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 6fde89a0240707fd. Do not edit.
+// Generated from light case `Planes`, 901dd7350f189727. Do not edit.
 
 /// Width and height of the map in texels.
 const PLANES_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1168,7 +1177,7 @@ struct PlanesShadow {
     shear: vec4<f32>,
     /// 1 where stored depth grows away from the light, -1 where it falls.
     depth_sign: f32,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<PlanesFacet, 32>,
 }
 

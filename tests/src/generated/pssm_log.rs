@@ -1,4 +1,4 @@
-// Generated from light case `Pssm4Log`, bdafd8e67511353c. Do not edit.
+// Generated from light case `Pssm4Log`, 6ce5e7d5709b3dda. Do not edit.
 
 /// Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 /// measure that other cases are compared with at equal texels.
@@ -28,6 +28,8 @@ pub mod pssm_log {
             ),
             configurations: Vec::from([Word::plain("slabs")]),
             distribution: None,
+            stretch: Stretch::None,
+            dominant_plane: None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -111,7 +113,7 @@ pub mod pssm_log {
         pub distances: [[f32; 4]; 1],
         /// Ascending band limits of each sector, four to a vector; unused ones are out of reach.
         pub thresholds: [[f32; 4]; 1],
-        /// The facets: index = sector * bands + band.
+        /// The facets: cell = (half * sectors + sector) * bands + band.
         pub facets: [PssmLogFacet; 4],
     }
     const _: () = {
@@ -185,18 +187,25 @@ pub mod pssm_log {
     pub static TABLE: ::cssm::core::table::CaseTable = tables::TABLE;
     mod tables {
         use ::std::borrow::Cow;
-        use ::cssm::core::case::{Axes, DepthFormat};
+        use ::cssm::core::case::{Axes, DepthFormat, Stretch};
+        use ::cssm::core::distribution::RemapKind;
         use ::cssm::core::table::*;
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Pssm4Log"),
             prefix: Cow::Borrowed("pssm_log"),
-            fingerprint: 0xbdafd8e67511353c,
+            fingerprint: 0x6ce5e7d5709b3dda,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
+            halves: 1,
             sectors: 1,
             bands: 4,
             clips: 0,
+            dominant: false,
+            scales_thresholds: false,
+            local_light: false,
+            remap: RemapKind::None,
+            stretch: Stretch::None,
             may_reverse_depth: false,
             axes: Axes::Camera,
             shears: false,
@@ -560,7 +569,7 @@ pub mod pssm_log {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, bdafd8e67511353c. Do not edit.
+// Generated from light case `Pssm4Log`, 6ce5e7d5709b3dda. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmLogCapture {
@@ -625,7 +634,7 @@ fn pssm_log_capture_vertex(vertex: PssmLogCasterVertex) -> @builtin(position) ve
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, bdafd8e67511353c. Do not edit.
+// Generated from light case `Pssm4Log`, 6ce5e7d5709b3dda. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmLogCapture {
@@ -717,7 +726,7 @@ fn pssm_log_capture_clamped_fragment(caster: PssmLogClampedCaster) -> @builtin(f
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, bdafd8e67511353c. Do not edit.
+// Generated from light case `Pssm4Log`, 6ce5e7d5709b3dda. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -750,7 +759,7 @@ struct PssmLogShadow {
     distances: array<vec4<f32>, 1>,
     /// Ascending band limits of each sector, four to a vector; unused ones are out of reach.
     thresholds: array<vec4<f32>, 1>,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<PssmLogFacet, 4>,
 }
 
@@ -981,7 +990,7 @@ fn pssm_log_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) v
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, bdafd8e67511353c. Do not edit.
+// Generated from light case `Pssm4Log`, 6ce5e7d5709b3dda. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1014,7 +1023,7 @@ struct PssmLogShadow {
     distances: array<vec4<f32>, 1>,
     /// Ascending band limits of each sector, four to a vector; unused ones are out of reach.
     thresholds: array<vec4<f32>, 1>,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<PssmLogFacet, 4>,
 }
 

@@ -1,4 +1,4 @@
-// Generated from light case `Pssm4Practical`, 3bc91b1b5aee47d7. Do not edit.
+// Generated from light case `Pssm4Practical`, 5f748a1294133db1. Do not edit.
 
 /// Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 /// engines have them.
@@ -33,6 +33,8 @@ pub mod pssm_practical {
             ),
             configurations: Vec::from([Word::plain("slabs")]),
             distribution: None,
+            stretch: Stretch::None,
+            dominant_plane: None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -116,7 +118,7 @@ pub mod pssm_practical {
         pub distances: [[f32; 4]; 1],
         /// Ascending band limits of each sector, four to a vector; unused ones are out of reach.
         pub thresholds: [[f32; 4]; 1],
-        /// The facets: index = sector * bands + band.
+        /// The facets: cell = (half * sectors + sector) * bands + band.
         pub facets: [PssmPracticalFacet; 4],
     }
     const _: () = {
@@ -190,18 +192,25 @@ pub mod pssm_practical {
     pub static TABLE: ::cssm::core::table::CaseTable = tables::TABLE;
     mod tables {
         use ::std::borrow::Cow;
-        use ::cssm::core::case::{Axes, DepthFormat};
+        use ::cssm::core::case::{Axes, DepthFormat, Stretch};
+        use ::cssm::core::distribution::RemapKind;
         use ::cssm::core::table::*;
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Pssm4Practical"),
             prefix: Cow::Borrowed("pssm_practical"),
-            fingerprint: 0x3bc91b1b5aee47d7,
+            fingerprint: 0x5f748a1294133db1,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
+            halves: 1,
             sectors: 1,
             bands: 4,
             clips: 0,
+            dominant: false,
+            scales_thresholds: false,
+            local_light: false,
+            remap: RemapKind::None,
+            stretch: Stretch::None,
             may_reverse_depth: false,
             axes: Axes::Camera,
             shears: false,
@@ -565,7 +574,7 @@ pub mod pssm_practical {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 3bc91b1b5aee47d7. Do not edit.
+// Generated from light case `Pssm4Practical`, 5f748a1294133db1. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmPracticalCapture {
@@ -630,7 +639,7 @@ fn pssm_practical_capture_vertex(vertex: PssmPracticalCasterVertex) -> @builtin(
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 3bc91b1b5aee47d7. Do not edit.
+// Generated from light case `Pssm4Practical`, 5f748a1294133db1. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmPracticalCapture {
@@ -722,7 +731,7 @@ fn pssm_practical_capture_clamped_fragment(caster: PssmPracticalClampedCaster) -
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 3bc91b1b5aee47d7. Do not edit.
+// Generated from light case `Pssm4Practical`, 5f748a1294133db1. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_PRACTICAL_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -755,7 +764,7 @@ struct PssmPracticalShadow {
     distances: array<vec4<f32>, 1>,
     /// Ascending band limits of each sector, four to a vector; unused ones are out of reach.
     thresholds: array<vec4<f32>, 1>,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<PssmPracticalFacet, 4>,
 }
 
@@ -986,7 +995,7 @@ fn pssm_practical_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @locatio
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 3bc91b1b5aee47d7. Do not edit.
+// Generated from light case `Pssm4Practical`, 5f748a1294133db1. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_PRACTICAL_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1019,7 +1028,7 @@ struct PssmPracticalShadow {
     distances: array<vec4<f32>, 1>,
     /// Ascending band limits of each sector, four to a vector; unused ones are out of reach.
     thresholds: array<vec4<f32>, 1>,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<PssmPracticalFacet, 4>,
 }
 

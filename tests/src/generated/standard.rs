@@ -1,4 +1,4 @@
-// Generated from light case `Standard`, 1d7390225899067c. Do not edit.
+// Generated from light case `Standard`, 2c233018aea3efc0. Do not edit.
 
 /// One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 /// as the lower bound that other cases are compared with.
@@ -22,6 +22,8 @@ pub mod standard {
             technique: Word::plain("standard"),
             configurations: Vec::from([Word::plain("single")]),
             distribution: None,
+            stretch: Stretch::None,
+            dominant_plane: None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -97,7 +99,7 @@ pub mod standard {
     #[bytemuck(crate = "::cssm::bytemuck")]
     #[repr(C)]
     pub struct StandardShadow {
-        /// The facets: index = sector * bands + band.
+        /// The facets: cell = (half * sectors + sector) * bands + band.
         pub facets: [StandardFacet; 1],
     }
     const _: () = {
@@ -169,18 +171,25 @@ pub mod standard {
     pub static TABLE: ::cssm::core::table::CaseTable = tables::TABLE;
     mod tables {
         use ::std::borrow::Cow;
-        use ::cssm::core::case::{Axes, DepthFormat};
+        use ::cssm::core::case::{Axes, DepthFormat, Stretch};
+        use ::cssm::core::distribution::RemapKind;
         use ::cssm::core::table::*;
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Standard"),
             prefix: Cow::Borrowed("standard"),
-            fingerprint: 0x1d7390225899067c,
+            fingerprint: 0x2c233018aea3efc0,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
+            halves: 1,
             sectors: 1,
             bands: 1,
             clips: 0,
+            dominant: false,
+            scales_thresholds: false,
+            local_light: false,
+            remap: RemapKind::None,
+            stretch: Stretch::None,
             may_reverse_depth: false,
             axes: Axes::Camera,
             shears: false,
@@ -518,7 +527,7 @@ pub mod standard {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 1d7390225899067c. Do not edit.
+// Generated from light case `Standard`, 2c233018aea3efc0. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct StandardCapture {
@@ -583,7 +592,7 @@ fn standard_capture_vertex(vertex: StandardCasterVertex) -> @builtin(position) v
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 1d7390225899067c. Do not edit.
+// Generated from light case `Standard`, 2c233018aea3efc0. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct StandardCapture {
@@ -675,7 +684,7 @@ fn standard_capture_clamped_fragment(caster: StandardClampedCaster) -> @builtin(
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 1d7390225899067c. Do not edit.
+// Generated from light case `Standard`, 2c233018aea3efc0. Do not edit.
 
 /// Width and height of the map in texels.
 const STANDARD_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -700,7 +709,7 @@ struct StandardFacet {
 
 /// What resolving needs of a plan.
 struct StandardShadow {
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<StandardFacet, 1>,
 }
 
@@ -920,7 +929,7 @@ fn standard_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) v
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 1d7390225899067c. Do not edit.
+// Generated from light case `Standard`, 2c233018aea3efc0. Do not edit.
 
 /// Width and height of the map in texels.
 const STANDARD_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -945,7 +954,7 @@ struct StandardFacet {
 
 /// What resolving needs of a plan.
 struct StandardShadow {
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<StandardFacet, 1>,
 }
 

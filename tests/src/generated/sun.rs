@@ -1,4 +1,4 @@
-// Generated from light case `Sun`, cd84aa73ab8e3fc2. Do not edit.
+// Generated from light case `Sun`, 5429b253688a4a44. Do not edit.
 
 /// Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 /// shadow distance and texels stay the same size on the screen, near and far.
@@ -27,6 +27,8 @@ pub mod sun {
                     [("count", Value::Count(8)), ("horizon", Value::Number(100000.0))],
                 ),
             ),
+            stretch: Stretch::None,
+            dominant_plane: None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -120,7 +122,7 @@ pub mod sun {
         pub depth_sign: f32,
         /// Unused; keeps the offsets of the shader.
         pub padding_0: [f32; 3],
-        /// The facets: index = sector * bands + band.
+        /// The facets: cell = (half * sectors + sector) * bands + band.
         pub facets: [SunFacet; 32],
     }
     const _: () = {
@@ -197,18 +199,25 @@ pub mod sun {
     pub static TABLE: ::cssm::core::table::CaseTable = tables::TABLE;
     mod tables {
         use ::std::borrow::Cow;
-        use ::cssm::core::case::{Axes, DepthFormat};
+        use ::cssm::core::case::{Axes, DepthFormat, Stretch};
+        use ::cssm::core::distribution::RemapKind;
         use ::cssm::core::table::*;
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Sun"),
             prefix: Cow::Borrowed("sun"),
-            fingerprint: 0xcd84aa73ab8e3fc2,
+            fingerprint: 0x5429b253688a4a44,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
+            halves: 1,
             sectors: 4,
             bands: 8,
             clips: 0,
+            dominant: false,
+            scales_thresholds: false,
+            local_light: false,
+            remap: RemapKind::None,
+            stretch: Stretch::None,
             may_reverse_depth: true,
             axes: Axes::Camera,
             shears: true,
@@ -601,7 +610,7 @@ pub mod sun {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, cd84aa73ab8e3fc2. Do not edit.
+// Generated from light case `Sun`, 5429b253688a4a44. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SunCapture {
@@ -666,7 +675,7 @@ fn sun_capture_vertex(vertex: SunCasterVertex) -> @builtin(position) vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, cd84aa73ab8e3fc2. Do not edit.
+// Generated from light case `Sun`, 5429b253688a4a44. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SunCapture {
@@ -758,7 +767,7 @@ fn sun_capture_clamped_fragment(caster: SunClampedCaster) -> @builtin(frag_depth
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, cd84aa73ab8e3fc2. Do not edit.
+// Generated from light case `Sun`, 5429b253688a4a44. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -799,7 +808,7 @@ struct SunShadow {
     shear: vec4<f32>,
     /// 1 where stored depth grows away from the light, -1 where it falls.
     depth_sign: f32,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<SunFacet, 32>,
 }
 
@@ -1070,7 +1079,7 @@ fn sun_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<f
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, cd84aa73ab8e3fc2. Do not edit.
+// Generated from light case `Sun`, 5429b253688a4a44. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1111,7 +1120,7 @@ struct SunShadow {
     shear: vec4<f32>,
     /// 1 where stored depth grows away from the light, -1 where it falls.
     depth_sign: f32,
-    /// The facets: index = sector * bands + band.
+    /// The facets: cell = (half * sectors + sector) * bands + band.
     facets: array<SunFacet, 32>,
 }
 

@@ -127,6 +127,7 @@ impl GeometryBuffers {
                 format: wgpu::IndexFormat::Uint32,
             }),
             bounds_object: self.bounds,
+            clusters: &[],
             mask: None,
         }
     }

@@ -44,7 +44,11 @@ impl DepthBracket {
                 let step = |side: u32, steps: i32| 2.0 * EDGE_TEXELS / f64::from(side) * f64::from(steps);
                 let mut facet = facet.clone();
                 facet.rows.x += facet.rows.w * step(tile.width, x);
-                facet.rows.y += facet.rows.w * step(tile.height, y);
+                if facet.rows.remap.is_none() {
+                    facet.rows.y += facet.rows.w * step(tile.height, y);
+                } else {
+                    facet.rows.remap.shift += step(tile.height, y);
+                }
                 (facet.tile.x, facet.tile.y) = (0, 0);
                 let alone = ShadowPlan {
                     facets: vec![facet],

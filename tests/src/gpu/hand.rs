@@ -6,6 +6,7 @@ use cssm_core::facet::{Facet, FacetRows, Selection, Tile};
 use cssm_core::glam::{DVec2, DVec4};
 use cssm_core::light::LightPosition;
 use cssm_core::plan::DepthOrder;
+use cssm_core::remap::Remap;
 use cssm_core::schema::{Value, Word};
 use cssm_core::table::{CaseTable, Shader, ShaderKind};
 use cssm_core::{ShadowPlan, View};
@@ -76,6 +77,7 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
             configuration: "single",
             reason: ChoiceReason::Only,
             predictions: Vec::new(),
+            complete: true,
             made_for_position: Vec::new(),
         },
         eye_world: view.eye_world,
@@ -84,7 +86,7 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
         depth_order: DepthOrder::Standard,
         light: DVec4::Y,
         map_size_texels: (MAP_SIDE, MAP_SIDE),
-        selection: Selection { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands: 1 },
+        selection: Selection::single(),
         facets: vec![facet_from_above(tile, half, top, bottom)],
     }
 }
@@ -93,12 +95,13 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
 pub fn facet_from_above(tile: Tile, half: f64, top: f64, bottom: f64) -> Facet {
     let per_metre = 1.0 / (top - bottom);
     Facet {
-        index: 0,
+        cells: vec![0],
         rows: FacetRows {
             x: DVec4::new(1.0 / half, 0.0, 0.0, 0.0),
             y: DVec4::new(0.0, 0.0, -1.0 / half, 0.0),
             z: DVec4::new(0.0, -per_metre, 0.0, top * per_metre),
             w: DVec4::W,
+            remap: Remap::NONE,
         },
         select: Vec::new(),
         clip: Vec::new(),
@@ -113,6 +116,7 @@ pub fn facet_from_above(tile: Tile, half: f64, top: f64, bottom: f64) -> Facet {
         depth_per_metre: per_metre,
         texel_metres_per_w: 2.0 * half / f64::from(tile.width),
         receiver_plane_depth: 0.0,
+        rounding_depth: 0.0,
     }
 }
 

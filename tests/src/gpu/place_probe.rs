@@ -51,7 +51,7 @@ impl<'a> PlaceProbe<'a> {
         let inputs_group = u32::from(shadow_group == 0);
 
         // A plan of one facet has nothing to choose from, so its shader has no function for it.
-        let index = if table.facets() > 1 { "PREFIX_facet_index(point)" } else { "0u" };
+        let index = if table.cells() > 1 { "PREFIX_facet_index(point)" } else { "0u" };
         let own = PROBE.replace("INDEX", index).replace("INPUTS", &inputs_group.to_string());
         let own = own.replace("PREFIX", &table.prefix);
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {

@@ -83,14 +83,20 @@ fn visibility_bracket(
 ) -> (f64, f64) {
     let centre = resolve(case, plan, map, point, normal);
     let (mut low, mut high) = (centre.visibility, centre.visibility);
-    let Some(facet) = plan.facet(centre.facet) else { return (low, high) };
+    let Some(facet) = plan.facet(centre.cell) else { return (low, high) };
 
     // Step along the receiver's plane by the tolerance in both texel axes, and along the light in depth.
-    let light = plan.light.truncate();
+    let (light, light_metres) = if plan.light.w == 0.0 {
+        (plan.light.truncate(), 1.0)
+    } else {
+        let toward = plan.light.truncate() - point;
+        (toward.normalize_or(DVec3::Y), toward.length())
+    };
     let across = normal.any_orthonormal_vector();
     let texel_metres = facet.texel_metres_per_w * Gradients::at(&facet.rows, point).w;
     let tilt = 1.0 / normal.dot(light).abs().max(0.01);
-    let depth_metres = DEPTH_TOLERANCE * Gradients::at(&facet.rows, point).w / facet.depth_per_metre;
+    let metres_per_depth = Gradients::at(&facet.rows, point).w / facet.depth_per_metre * light_metres;
+    let depth_metres = DEPTH_TOLERANCE * metres_per_depth;
     let along = light * (depth_metres + POSITION_TOLERANCE * point.length() * tilt);
     for (one, two) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.0, 0.0)] {
         for depth in [-1.0, 1.0] {

@@ -1,5 +1,6 @@
 //! A small scene with everything that is hard: a wide ground, boxes, thin poles, tilted sheets, a tower above the view.
 
+use cssm_core::case::LightKind;
 use cssm_core::glam::{DAffine3, DMat3, DQuat, DVec3};
 use cssm_core::{BoundingBox, Light, ShadowPlan, View};
 use cssm_runtime::{CasterInstance, ServiceError, ShadowService};
@@ -177,4 +178,25 @@ pub fn suns() -> [Light; 3] {
     [[-0.5, -1.0, -0.3], [0.4, -0.35, -0.9], [-0.2, -0.3, 1.0]].map(|direction| {
         Light::directional_travelling(DVec3::from_array(direction)).expect("a fixed direction")
     })
+}
+
+/// Lights of a kind: the suns, or lamps that stand high beside the view, in it, and behind the eye; spots shine on what
+/// the views see.
+///
+/// # Panics
+/// Never; the lights are fixed.
+pub fn lights(kind: LightKind) -> [Light; 3] {
+    const LAMPS: [([f64; 3], f64); 3] =
+        [([14.0, 18.0, -22.0], 120.0), ([-1.0, 3.5, -11.0], f64::INFINITY), ([1.5, 4.0, 9.0], 80.0)];
+    const AIMS: [([f64; 3], f64); 3] =
+        [([0.0, 0.0, -14.0], 0.7), ([4.0, 0.0, -20.0], 1.1), ([-1.0, 1.0, -20.0], 0.5)];
+    let at = |place: [f64; 3]| ORIGIN + DVec3::from_array(place);
+    match kind {
+        LightKind::Directional => suns(),
+        LightKind::Omni => LAMPS.map(|(place, range)| Light::omni(at(place), range).expect("a fixed lamp")),
+        LightKind::Spot => std::array::from_fn(|index| {
+            let ((place, range), (aim, half_angle)) = (LAMPS[index], AIMS[index]);
+            Light::spot(at(place), at(aim) - at(place), half_angle, range).expect("a fixed spot")
+        }),
+    }
 }

@@ -1,11 +1,12 @@
 //! The declaration as a Rust value: what was checked when the module was generated needs no check when it runs.
 
 use cssm_core::LightCase;
-use cssm_core::case::{Bias, MapSpec, Resolve};
+use cssm_core::case::{Bias, DominantPlane, MapSpec, Resolve};
 use cssm_core::schema::{Arguments, Value, Word};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::table::stretch_value;
 use super::{doc, number, variant};
 
 /// The function that returns the case.
@@ -22,6 +23,8 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
         technique,
         configurations,
         distribution,
+        stretch,
+        dominant_plane,
         map,
         filter,
         bias,
@@ -37,6 +40,8 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
     let technique = word(technique);
     let configurations = configurations.iter().map(word);
     let distribution = option(distribution.as_ref().map(word));
+    let stretch = stretch_value(*stretch);
+    let dominant_plane = option(dominant_plane.map(dominant_value));
     let map = map_spec(map);
     let filter = variant("Filter", filter);
     let bias = bias_value(bias);
@@ -58,6 +63,8 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
                 technique: #technique,
                 configurations: Vec::from([#(#configurations),*]),
                 distribution: #distribution,
+                stretch: #stretch,
+                dominant_plane: #dominant_plane,
                 map: #map,
                 filter: #filter,
                 bias: #bias,
@@ -76,6 +83,11 @@ fn map_spec(map: &MapSpec) -> TokenStream {
     let (columns, gutter) = (option(columns.map(number)), option(gutter.map(number)));
     let format = variant("DepthFormat", &format);
     quote!(MapSpec { width: #width, height: #height, columns: #columns, format: #format, gutter: #gutter })
+}
+
+fn dominant_value(plane: DominantPlane) -> TokenStream {
+    let (share, thickness_metres) = (real(plane.share), real(plane.thickness_metres));
+    quote!(DominantPlane { share: #share, thickness_metres: #thickness_metres })
 }
 
 fn bias_value(bias: &Bias) -> TokenStream {

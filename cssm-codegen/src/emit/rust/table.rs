@@ -1,5 +1,6 @@
 //! The table as statics that borrow from each other, so that `TABLE` costs nothing at run time.
 
+use cssm_core::case::Stretch;
 use cssm_core::table::{BindGroup, BindingKind, CaseTable, ConstantValue, Pass, Record, Resource};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -15,9 +16,15 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
         map_width,
         map_height,
         map_format,
+        halves,
         sectors,
         bands,
         clips,
+        dominant,
+        scales_thresholds,
+        local_light,
+        remap,
+        stretch,
         may_reverse_depth,
         axes,
         shears,
@@ -34,6 +41,9 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
     let map_format = variant("DepthFormat", map_format);
     let (sectors, bands, clips) = (number(*sectors), number(*bands), number(*clips));
     let axes = variant("Axes", axes);
+    let halves = number(*halves);
+    let remap = variant("RemapKind", remap);
+    let stretch = stretch_value(*stretch);
     let fetches_per_pixel = number(*fetches_per_pixel);
     let constants = constants(table);
     let records = records(table);
@@ -47,7 +57,8 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
         mod tables {
             use ::std::borrow::Cow;
 
-            use #crate_path::core::case::{Axes, DepthFormat};
+            use #crate_path::core::case::{Axes, DepthFormat, Stretch};
+            use #crate_path::core::distribution::RemapKind;
             use #crate_path::core::table::*;
 
             pub(super) const TABLE: CaseTable = CaseTable {
@@ -57,9 +68,15 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
                 map_width: #map_width,
                 map_height: #map_height,
                 map_format: #map_format,
+                halves: #halves,
                 sectors: #sectors,
                 bands: #bands,
                 clips: #clips,
+                dominant: #dominant,
+                scales_thresholds: #scales_thresholds,
+                local_light: #local_light,
+                remap: #remap,
+                stretch: #stretch,
                 may_reverse_depth: #may_reverse_depth,
                 axes: #axes,
                 shears: #shears,
@@ -75,6 +92,18 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
             #groups
             #passes
             #shaders
+        }
+    }
+}
+
+/// A [`Stretch`] as an expression.
+pub(super) fn stretch_value(stretch: Stretch) -> TokenStream {
+    match stretch {
+        Stretch::None => quote!(Stretch::None),
+        Stretch::Vertex => quote!(Stretch::Vertex),
+        Stretch::Exact { bound_texels } => {
+            let bound_texels = Literal::f64_unsuffixed(bound_texels);
+            quote!(Stretch::Exact { bound_texels: #bound_texels })
         }
     }
 }

@@ -4,17 +4,33 @@
 use glam::DVec4;
 
 use crate::distribution::{self, DistanceRange, Piece};
+use crate::facet::Cell;
 use crate::receivers::{DEPTH_ROW, Polytope};
+use crate::remap::Curve;
 use crate::technique::{FacetDraft, Region, Situation, TileRequest};
 
-/// A region of the light's view that is unrolled into a column of the map.
+/// Slant up to which pieces ask for the footprint of the others.
+const STEEPEST_SLANT: f64 = 30.0;
+/// The same where a piece reaches infinity.
+const STEEPEST_TO_INFINITY: f64 = 10.0;
+/// Largest footprint that a piece asks for, in footprints of the others.
+const COARSEST: f64 = 100.0;
+
+/// A region of the light's view that is unrolled into a column of the map. Its distance in metres is the ratio of two
+/// rows, which both annihilate the light.
 pub(super) struct Column {
-    /// Its sector in the selection walk.
+    /// Its half in the selection walk.
+    pub(super) half: u32,
+    /// Its sector in the half.
     pub(super) sector: u32,
     /// Row across, up to an affine change; annihilates the light.
     pub(super) across: DVec4,
-    /// Distance in metres, 1 at a metre; annihilates the light.
+    /// Numerator of the distance.
     pub(super) distance: DVec4,
+    /// Denominator of the distance, positive on receivers; (0, 0, 0, 1) for a directional light.
+    pub(super) unit: DVec4,
+    /// How far lines of equal place across lean, see [`DistanceRange::slant`].
+    pub(super) slant: f64,
     /// Half-spaces that part it from its neighbours.
     pub(super) sides: Vec<DVec4>,
     /// Its receivers.
@@ -23,7 +39,9 @@ pub(super) struct Column {
 
 /// The facets of a column under the case's distribution, and the limits between them, ascending.
 pub(super) fn facets(column: &Column, situation: &Situation<'_>) -> (Vec<FacetDraft>, Vec<f64>) {
-    let pieces = distribution::split(situation.case, &range(column, situation));
+    let bends = distribution::remap_kind(situation.case) != distribution::RemapKind::None;
+    let range = DistanceRange { bends, ..range(column, situation) };
+    let pieces = distribution::split(situation.case, &range);
     let limits = pieces.iter().skip(1).map(|piece| piece.nearest_metres).collect();
     (split(column, &pieces), limits)
 }
@@ -33,38 +51,59 @@ pub(super) fn split(column: &Column, pieces: &[Piece]) -> Vec<FacetDraft> {
     let facet = |(band, piece): (usize, &Piece)| {
         let mut ends = Vec::new();
         if band > 0 {
-            ends.push(column.distance - DVec4::W * piece.nearest_metres);
+            ends.push(column.distance - column.unit * piece.nearest_metres);
         }
         if band + 1 < pieces.len() {
-            ends.push(DVec4::W * piece.farthest_metres - column.distance);
+            ends.push(column.unit * piece.farthest_metres - column.distance);
         }
-        // Perspective rows are affine in 1/w, uniform ones in the distance itself.
+        // Perspective rows are affine in 1/w, uniform ones in the distance itself; bent ones begin with 1/w.
         let uniform = piece.push_back_metres.is_infinite();
+        let (y, w) = match (uniform, piece.curve) {
+            (true, _) => (column.distance, column.unit),
+            (false, Curve::Straight) => {
+                (-column.unit, column.distance + column.unit * piece.push_back_metres)
+            }
+            (false, _) => (column.unit, column.distance + column.unit * piece.push_back_metres),
+        };
         FacetDraft {
-            sector: column.sector,
-            band: band as u32,
+            cells: vec![Cell { half: column.half, sector: column.sector, band: band as u32 }],
             x: column.across,
-            y: if uniform { column.distance } else { -DVec4::W },
-            w: if uniform { DVec4::W } else { column.distance + DVec4::W * piece.push_back_metres },
+            y,
+            curve: if uniform { Curve::Straight } else { piece.curve },
+            w,
             receivers: column.receivers.cut_by(&ends),
             select: column.sides.iter().chain(&ends).copied().collect(),
-            region: Region::Tile(TileRequest::Footprint),
+            region: Region::Tile(request(column, piece)),
         }
     };
     pieces.iter().enumerate().map(facet).collect()
 }
 
-/// The distances of a column's receivers.
+/// What a piece asks for. A push-back raises leaning lines no more than the near end can pay for, and not at infinity:
+/// beyond a slant texels grow, so that the column vanishes from the map as its region vanishes from the light's view.
+fn request(column: &Column, piece: &Piece) -> TileRequest {
+    let steepest = if piece.farthest_metres.is_finite() { STEEPEST_SLANT } else { STEEPEST_TO_INFINITY };
+    let times = column.slant / steepest;
+    if times > 1.0 { TileRequest::Coarser(times.sqrt().min(COARSEST)) } else { TileRequest::Footprint }
+}
+
+/// The distances of a column's receivers, for rows that are not bent.
 pub(super) fn range(column: &Column, situation: &Situation<'_>) -> DistanceRange {
-    let (nearest, farthest) = column.receivers.range(column.distance);
+    let (nearest, farthest) = column.receivers.quotient_range(column.distance, column.unit);
     let (nearest, farthest) = if nearest <= farthest { (nearest, farthest) } else { (1.0, 2.0) };
 
     // A direction along the light has distance 0, whatever rounding makes of it.
     let nearest = if nearest.is_finite() { nearest } else { 0.0 };
     let (depth_near, _) = situation.receivers.range(DEPTH_ROW);
+    let view_near = situation.view.near_metres;
+    let unlit = situation.light.w > 0.0 && depth_near > view_near;
     DistanceRange {
         nearest_metres: nearest,
         farthest_metres: farthest,
         core_metres: (depth_near - nearest).max(0.0),
+        slant: column.slant,
+        unlit_near_metres: unlit.then_some(view_near),
+        eye_height_metres: situation.eye_height_metres,
+        bends: false,
     }
 }

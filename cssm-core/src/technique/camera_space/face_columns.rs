@@ -1,59 +1,159 @@
 //! Face columns: every light ray that meets the view frustum belongs to the side face where it has its smallest depth;
 //! each face is a column of the map whose rows run with depth.
 //!
-//! On the face through the corners c_k, c_(k+1) a point moved along the light is s c_k + t c_(k+1); its depth there is
-//! D = s + t and (t - s) / D runs across the face from -1 to 1. Both are constant along the light. From one face (light
-//! from above a level camera) to all four (light in or behind the view) the entered faces tile the silhouette, so no
-//! situation needs another configuration (generalises one-plane and four-plane camera space maps; per-face warping
-//! after Lloyd et al.).
+//! On the face through the corners c_k, c_(k+1) a point moved along the light is u eye + s c_k + t c_(k+1); its depth there
+//! is D = (s + t) / u and (t - s) / (s + t) runs across the face from -1 to 1. Both are constant along the light. From
+//! one face (light from above a level camera) to all four (light in or behind the view) the entered faces tile the
+//! silhouette, so no situation needs another configuration (generalises one-plane and four-plane camera space maps;
+//! per-face warping after Lloyd et al.).
+//!
+//! A face that the light runs along has no area, and its column must need no texels there, or it would come up at full
+//! size with the first ray that enters it. Cuts of equal distance are turned where they would cross a sliver lengthwise,
+//! and columns whose edges lean far are raised by a push-back, see `Unrolled`.
+//!
+//! A point light before the eye plane sends rays both ways: those to receivers deeper than itself run away and enter by
+//! the faces turned towards it; those to nearer receivers come back, and their smallest depth lies on the faces turned
+//! away. The plane of its depth, which contains it, parts the two. In the view itself the first kind enters by no side
+//! face: receivers behind such a light have no facet here.
 
 use glam::{DVec3, DVec4};
 
 use super::columns::{self, Column};
-use super::side_faces;
+use super::side_faces::{self, Course, SideFace};
+use crate::case::{LightCase, LightKind};
 use crate::distribution;
 use crate::facet::{FacetShape, Selection};
+use crate::light::LightPosition;
 use crate::plan::PlanError;
+use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Word};
 use crate::technique::{ConfigurationSpec, Draft, Situation};
 
 /// A frustum has four side faces.
 const SECTORS: u32 = 4;
+/// Least share of the depth that the distance is along the edge that the light sees shorter.
+const LEAST_TURNED: f64 = 0.1;
+/// Squared sine of the angle between a face's edges below which a cut may turn farther: slivers are cut across.
+const SLIVER: f64 = 0.04;
 
 pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     choice: Choice::plain("face_columns", "a column on each frustum side face that rays enter first"),
+    lights: &[LightKind::Directional, LightKind::Spot, LightKind::Omni],
     takes_distribution: true,
-    serves: |_| true,
-    shape: |case, _| FacetShape { sectors: SECTORS, bands: distribution::pieces(case), clips: 0 },
+    serves: |position| {
+        matches!(position, LightPosition::Dueling | LightPosition::Border | LightPosition::General)
+    },
+    shape,
     draft,
 };
 
-fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
-    let corners = situation.view.corner_tangents().map(|(x, y)| DVec3::new(x, y, -1.0));
-    let faces = side_faces::entered_first(DVec3::ZERO, corners, situation.light.truncate());
-    let bands = distribution::pieces(situation.case);
-    let mut selection =
-        Selection { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands };
-    let mut facets = Vec::new();
-    for (sector, face) in faces.iter().enumerate() {
-        let sides = face.sides();
-        let column = Column {
-            sector: sector as u32,
-            across: face.t - face.s,
-            distance: face.s + face.t,
-            sides: sides.to_vec(),
-            receivers: situation.receivers.cut_by(&sides),
-        };
-        let (drafts, limits) = columns::facets(&column, situation);
-        facets.extend(drafts);
+fn shape(case: &LightCase, _: &Word) -> FacetShape {
+    FacetShape {
+        halves: if case.light.is_local() { 2 } else { 1 },
+        sectors: SECTORS,
+        bands: distribution::pieces(case),
+        ..FacetShape::ONE
+    }
+}
 
-        // The outer borders of a run that does not close are the frustum's own silhouette: nothing is past them.
-        let closed = faces.len() == SECTORS as usize;
-        selection.borders.push(if sector > 0 || closed { face.start } else { DVec4::W });
-        if bands > 1 {
-            selection.distances.push(column.distance);
-            selection.thresholds.push(limits);
+fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
+    let light = situation.light;
+    let before_eye = light.w > 0.0 && light.z < 0.0;
+    let split = before_eye.then(|| DEPTH_ROW + DVec4::W * light.z);
+    let halves: &[(Course, f64)] = match (light.w > 0.0, split.is_some()) {
+        (false, _) if Course::of_directional(light.truncate()) == Course::Back => &[(Course::Back, 1.0)],
+        (_, false) => &[(Course::Away, 1.0)],
+        (_, true) => &[(Course::Away, 1.0), (Course::Back, -1.0)],
+    };
+
+    let corners = situation.view.corner_tangents().map(|(x, y)| DVec3::new(x, y, -1.0));
+    let bands = distribution::pieces(situation.case);
+    let mut selection = Selection { split, ..Selection::around(SECTORS, bands) };
+    let (mut facets, mut complete) = (Vec::new(), true);
+    for (half, (course, side)) in halves.iter().enumerate() {
+        let faces = side_faces::entered_first(DVec3::ZERO, corners, light, *course);
+        let half_space = split.map(|split| split * *side);
+        complete &= !faces.is_empty()
+            || half_space.is_some_and(|half| situation.receivers.cut_by(&[half]).is_empty());
+        for sector in 0..SECTORS {
+            let Some(face) = faces.get(sector as usize) else {
+                // What a half lacks is never reached.
+                selection.borders.push(if sector == 0 { DVec4::W } else { -DVec4::W });
+                if bands > 1 {
+                    selection.distances.push(DVec4::W);
+                    selection.thresholds.push(vec![f64::MAX; bands as usize - 1]);
+                    selection.units.push(DVec4::W);
+                }
+                continue;
+            };
+            let sides: Vec<DVec4> = face.sides().into_iter().chain(half_space).collect();
+            let unrolled = if light.w == 0.0 { Unrolled::of(face) } else { Unrolled::plain(face) };
+            let column = Column {
+                half: half as u32,
+                sector,
+                across: unrolled.across,
+                distance: unrolled.distance,
+                slant: unrolled.slant,
+                unit: face.unit,
+                receivers: situation.receivers.cut_by(&sides),
+                sides,
+            };
+            let (drafts, limits) = columns::facets(&column, situation);
+            facets.extend(drafts);
+
+            // The outer borders of a run that does not close are the frustum's own silhouette: nothing is past them.
+            let closed = faces.len() == SECTORS as usize;
+            selection.borders.push(if sector > 0 || closed { face.start } else { DVec4::W });
+            if bands > 1 {
+                selection.distances.push(column.distance);
+                selection.thresholds.push(limits);
+                selection.units.push(column.unit);
+            }
         }
     }
-    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", selection, facets }])
+    if light.w == 0.0 {
+        selection.units.clear();
+    }
+    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", complete, selection, facets }])
+}
+
+/// Rows of a face's column.
+struct Unrolled {
+    /// Place along the cut at a distance, measured from the apex' foot on it.
+    across: DVec4,
+    /// a s + b t, a and b at most 1: the depth on the face, or on one of its edges and less than that elsewhere.
+    distance: DVec4,
+    /// The farther end of the cut from the apex' foot on it, over the apex' height.
+    slant: f64,
+}
+
+impl Unrolled {
+    /// Cuts at equal depths.
+    fn plain(face: &SideFace) -> Self {
+        Self { across: face.t - face.s, distance: face.s + face.t, slant: 0.0 }
+    }
+
+    /// Cuts that need no more texels than the face has area, for a directional light.
+    fn of(face: &SideFace) -> Self {
+        // The cut at distance 1 goes from a point p on the first edge to a point q on the second. Their products
+        // across the light, up to a common factor: the row s is normal to q, t to p.
+        let (s, t) = (face.s.truncate(), face.t.truncate());
+        let (pp, qq, pq) = (t.length_squared(), s.length_squared(), -s.dot(t));
+
+        // Turn the cut until it meets the shorter edge at no more than a right angle, or as far as it may.
+        let sine_squared = (1.0 - pq * pq / (pp * qq)).max(0.0);
+        let least = LEAST_TURNED * (sine_squared / SLIVER).min(1.0);
+        let turned = |square: f64| (square / pq.max(square)).max(least);
+        let (a, b) = (turned(pp), turned(qq));
+        let (s, t) = (face.s * a, face.t * b);
+        let (pp, qq, pq) = (pp / (a * a), qq / (b * b), pq / (a * b));
+
+        // Measure along it, in its lengths; twice the triangle's area over its length is the apex' height.
+        let length_squared = pp + qq - 2.0 * pq;
+        let (p, q) = ((pq - pp) / length_squared, (qq - pq) / length_squared);
+        let area = (pp * qq - pq * pq).max(0.0).sqrt();
+        let farther = p.abs().max(q.abs()) * length_squared;
+        let slant = if area > 0.0 { farther / area } else { f64::MAX };
+        Self { across: s * p + t * q, distance: s + t, slant }
+    }
 }

@@ -12,14 +12,16 @@
 
 use glam::{DVec2, DVec4};
 
-use super::side_faces::{self, SideFace};
+use super::side_faces::{self, Course, SideFace};
 use super::{columns, one_plane};
+use crate::case::LightKind;
 use crate::distribution;
-use crate::facet::{FacetShape, Selection};
+use crate::facet::{Cell, FacetShape, Selection};
+use crate::focus::{self, Focus};
 use crate::light::{BORDER_MARGIN, LightPosition};
 use crate::plan::PlanError;
 use crate::receivers::{DEPTH_ROW, Polytope};
-use crate::schema::{Choice, Default, Field, Kind, Unit, Word};
+use crate::schema::{Choice, Default, Field, Kind, Word};
 use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TileRequest};
 
 /// A square has four triangles.
@@ -47,27 +49,37 @@ pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
                 ]),
                 default: Default::Value("t"),
             },
-            Field {
-                name: "focus",
-                summary: "depth that it is pushed to",
-                kind: Kind::Number { min: 0.0, max: 1e9, open: true, unit: Unit::Length },
-                default: Default::Value("10 m"),
-            },
+            Field { summary: "depth that it is pushed to", ..focus::FIELD },
         ],
     },
+    lights: &[LightKind::Directional, LightKind::Spot, LightKind::Omni],
     takes_distribution: false,
-    serves: |position| position != LightPosition::General,
-    shape: |_, _| FacetShape { sectors: SECTORS, bands: 1, clips: CLIPS },
+    serves: |position| matches!(position, LightPosition::Dueling | LightPosition::Border),
+    shape: |_, _| FacetShape { sectors: SECTORS, clips: CLIPS, ..FacetShape::ONE },
     draft,
 };
 
 fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
-    let focus = word.arguments.number("focus").unwrap_or(10.0);
+    let focus = Focus::of(&word.arguments).metres(situation.eye_height_metres);
     let straight = word.arguments.word("push").is_some_and(|push| push.name == "camera");
-    let square = Square::around(situation).map(|square| square.draft(situation, focus, straight));
-    let outside = LightPosition::of(situation.view, situation.light.truncate()) != LightPosition::Dueling;
-    let plane = (outside || square.is_none()).then(|| on_one_plane(situation, focus));
-    Ok(square.into_iter().chain(plane).collect())
+    let light = situation.light;
+
+    // Rays of a point before the eye plane run both ways: they meet no single square.
+    let before_eye = light.w > 0.0 && light.z < 0.0;
+    let square = (!before_eye).then(|| Square::around(situation)).flatten();
+    let mut drafts: Vec<Draft> =
+        square.iter().map(|square| square.draft(situation, "in a square", focus, straight)).collect();
+    if let (Some(square), true) = (&square, light.w > 0.0) {
+        // A point behind the eye gains from a tip nearer than the focus (facet algebra, section 4).
+        let near = situation.view.near_metres;
+        let depth = (near * (near + libm::fabs(light.z))).sqrt();
+        drafts.push(square.draft(situation, "in a square, tip at the light's scale", depth, straight));
+    }
+    let outside = LightPosition::of(situation.view, light) != LightPosition::Dueling;
+    if outside || drafts.is_empty() {
+        drafts.push(on_one_plane(situation, focus));
+    }
+    Ok(drafts)
 }
 
 /// The rectangle of the view at depth 1, enlarged where t needs it.
@@ -91,7 +103,7 @@ impl Square {
         }
 
         // Take t in, with room for the gutters of the smallest triangle.
-        let t = LightPosition::ray(situation.light.truncate())?;
+        let t = LightPosition::ray(situation.light)?;
         let map = situation.case.map;
         let gutters = MARGIN_GUTTERS * f64::from(situation.case.gutter_texels() + 1);
         let margin = size * BORDER_MARGIN.max(gutters / f64::from(map.width.min(map.height)));
@@ -110,7 +122,7 @@ impl Square {
         (tangents * 2.0 - self.low - self.high) / (self.high - self.low)
     }
 
-    fn draft(&self, situation: &Situation<'_>, focus: f64, straight: bool) -> Draft {
+    fn draft(&self, situation: &Situation<'_>, form: &'static str, focus: f64, straight: bool) -> Draft {
         let (near, far) = situation.receivers.range(DEPTH_ROW);
         let depth = focus.clamp(near, far);
 
@@ -119,8 +131,9 @@ impl Square {
         let apex = ((tip - self.t) * depth).extend(0.0);
         let corner = |tangents: DVec2| tangents.extend(-1.0) - apex / far;
         let corners = self.corners().map(corner);
-        let toward = situation.light.truncate();
-        let faces = side_faces::entered_first(apex, corners, toward);
+        let light = situation.light;
+        let course = if light.w > 0.0 { Course::Away } else { Course::of_directional(light.truncate()) };
+        let faces = side_faces::entered_first(apex, corners, light, course);
 
         let facets = faces.iter().enumerate().map(|(sector, face)| {
             let triangle = Triangle { face, square: self, tip: self.ndc(tip), depth, far };
@@ -128,13 +141,12 @@ impl Square {
         });
         Draft {
             configuration: SPEC.choice.name,
-            form: "in a square",
+            form,
+            complete: true,
             facets: facets.collect(),
             selection: Selection {
                 borders: faces.iter().map(|face| face.start).collect(),
-                distances: Vec::new(),
-                thresholds: Vec::new(),
-                bands: 1,
+                ..Selection::around(SECTORS, 1)
             },
         }
     }
@@ -157,23 +169,15 @@ impl Triangle<'_> {
         // Weigh the anchors T, c_k, c_(k+1) by their depths: the square shows the view's own perspective there.
         let corners = self.square.corners().map(|corner| self.square.ndc(corner));
         let (one, two) = (corners[self.face.corner], corners[(self.face.corner + 1) % 4]);
-        let SideFace { s, t, .. } = *self.face;
-        let at_tip = (DVec4::W - (s + t) / self.far) * self.depth;
+        let SideFace { s, t, unit, .. } = *self.face;
+        let at_tip = (unit - (s + t) / self.far) * self.depth;
         let sides = self.face.sides();
-        FacetDraft {
-            sector,
-            band: 0,
-            x: at_tip * self.tip.x + s * one.x + t * two.x,
-            y: at_tip * self.tip.y + s * one.y + t * two.y,
-            w: at_tip + s + t,
-            receivers: receivers.cut_by(&sides),
-            select: sides.to_vec(),
-            region: Region::Triangle {
-                square: 0,
-                request: TileRequest::Footprint,
-                corners: [self.tip, one, two],
-            },
-        }
+        let x = at_tip * self.tip.x + s * one.x + t * two.x;
+        let y = at_tip * self.tip.y + s * one.y + t * two.y;
+        let region =
+            Region::Triangle { square: 0, request: TileRequest::Footprint, corners: [self.tip, one, two] };
+        let own = (sides.to_vec(), receivers.cut_by(&sides));
+        FacetDraft::straight(Cell::of(sector, 0), [x, y, at_tip + s + t], own, region)
     }
 }
 
@@ -184,6 +188,7 @@ fn on_one_plane(situation: &Situation<'_>, focus: f64) -> Draft {
     Draft {
         configuration: SPEC.choice.name,
         form: "on one plane",
+        complete: one_plane::is_complete(&column, situation),
         selection: Selection::single(),
         facets: columns::split(&column, &[piece]),
     }

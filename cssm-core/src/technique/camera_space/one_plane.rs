@@ -4,7 +4,8 @@
 //! The camera is rolled about its axis until the light stands above it, without a component across. The field of view
 //! is fitted around the rolled frustum. With the light behind, the plane runs from the near bottom edge to the far top
 //! edge; with the light ahead from the near top edge to the far bottom edge (the paper's opposite points), so that the
-//! light always stands above it. A receiver moved along the light onto the plane has a distance there, which rows run
+//! light always stands above it. A point light serves the receivers that lie below it as seen from the plane, which always
+//! rises away from the eye. A receiver moved along the light onto the plane has a distance there, which rows run
 //! with, and keeps its place across.
 //!
 //! The closer the light comes to the view's own rays, the wider the map must reach across: (m + B) / (m - B) for
@@ -15,6 +16,7 @@
 use glam::DVec4;
 
 use super::columns::{self, Column};
+use crate::case::LightKind;
 use crate::distribution;
 use crate::facet::{FacetShape, Selection};
 use crate::light::LightPosition;
@@ -24,25 +26,35 @@ use crate::samples::SAMPLED_HORIZON_METRES;
 use crate::schema::{Choice, Word};
 use crate::technique::{ConfigurationSpec, Draft, Situation};
 
+/// Share of a point light's own distance from the plane that receivers must lie below it.
+const SMALLEST_UNIT: f64 = 1e-3;
+
 pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     choice: Choice::plain("one_plane", "the whole view on one plane; for light from outside the view"),
+    lights: &[LightKind::Directional, LightKind::Spot, LightKind::Omni],
     takes_distribution: true,
-    serves: |position| position == LightPosition::General,
-    shape: |case, _| FacetShape { sectors: 1, bands: distribution::pieces(case), clips: 0 },
+    serves: LightPosition::is_general,
+    shape: |case, _| FacetShape { bands: distribution::pieces(case), ..FacetShape::ONE },
     draft,
 };
 
 fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let column = column(situation);
+    let complete = is_complete(&column, situation);
     let bands = distribution::pieces(situation.case);
     let (facets, limits) = columns::facets(&column, situation);
-    let mut selection =
-        Selection { borders: Vec::new(), distances: Vec::new(), thresholds: Vec::new(), bands };
+    let mut selection = Selection::around(1, bands);
     if bands > 1 {
         selection.distances.push(column.distance);
         selection.thresholds.push(limits);
+        selection.units.extend((situation.light.w > 0.0).then_some(column.unit));
     }
-    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", selection, facets }])
+    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", complete, selection, facets }])
+}
+
+/// Whether no receiver was left out of the column.
+pub(super) fn is_complete(column: &Column, situation: &Situation<'_>) -> bool {
+    column.sides.iter().all(|side| situation.receivers.vertices.iter().all(|vertex| side.dot(*vertex) >= 0.0))
 }
 
 /// The column on the plane.
@@ -64,8 +76,8 @@ pub(super) fn column(situation: &Situation<'_>) -> Column {
     // Lay the plane from the near edge on one side to the far edge on the other.
     let near = view.near_metres;
     let (_, far) = situation.receivers.range(DEPTH_ROW);
-    let ahead = light.z < 0.0;
-    let (near_tangent, far_tangent) = if ahead { (top, bottom) } else { (bottom, top) };
+    let opposite = light.w == 0.0 && light.z < 0.0;
+    let (near_tangent, far_tangent) = if opposite { (top, bottom) } else { (bottom, top) };
     let (rise, run) = if far.is_finite() {
         (far_tangent - near_tangent * near / far, 1.0 - near / far)
     } else {
@@ -74,21 +86,34 @@ pub(super) fn column(situation: &Situation<'_>) -> Column {
     let start = DVec4::W * near;
     let plane = (up - start * near_tangent) * run - (DEPTH_ROW - start) * rise;
 
-    // Move points along the light onto the plane; the light stands above it on either side.
+    // Move points along the light onto the plane; a directional light stands above it on either side.
     let toward_plane = plane.dot(light);
-    let distance = DEPTH_ROW - plane * (DEPTH_ROW.dot(light) / toward_plane);
+    let onto = |row: DVec4| row - plane * (row.dot(light) / toward_plane);
+    let (distance, unit) = (onto(DEPTH_ROW), if light.w > 0.0 { onto(DVec4::W) } else { DVec4::W });
+
+    // Receivers that do not lie below a point light cannot be moved onto the plane.
+    let (sides, receivers) = if light.w > 0.0 {
+        let below = vec![unit - DVec4::W * SMALLEST_UNIT];
+        let receivers = situation.receivers.cut_by(&below);
+        (below, receivers)
+    } else {
+        (Vec::new(), situation.receivers.clone())
+    };
     Column {
+        half: 0,
         sector: 0,
         across,
         distance,
-        sides: Vec::new(),
-        receivers: bounded(&situation.receivers, distance),
+        slant: 0.0,
+        unit,
+        sides,
+        receivers: bounded(&receivers, distance, unit),
     }
 }
 
 /// The receivers, cut at a horizon where their distances have no lower end.
-fn bounded(receivers: &Polytope, distance: DVec4) -> Polytope {
-    if receivers.range(distance).0.is_finite() {
+fn bounded(receivers: &Polytope, distance: DVec4, unit: DVec4) -> Polytope {
+    if receivers.quotient_range(distance, unit).0.is_finite() {
         return receivers.clone();
     }
     receivers.cut_by(&[DVec4::W * SAMPLED_HORIZON_METRES - DEPTH_ROW])

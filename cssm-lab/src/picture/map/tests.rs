@@ -29,9 +29,9 @@ fn texels_of_a_shared_tile_go_to_the_facet_that_clips_them_out() {
     for index in 0..4000 {
         let (x, y) = (f64::from(index % 64) + 0.5, f64::from(index / 64 % 48) + 0.5);
         let point = view.ray_world(x, y) * (1.0 + f64::from(index % 97));
-        let facet = plan.facet(plan.selection.facet(point.extend(1.0))).unwrap();
+        let facet = plan.facet(plan.selection.cell(point.extend(1.0))).unwrap();
         let Some((x, y)) = map_texel(facet, point) else { continue };
-        let own = plan.facets.iter().position(|other| other.index == facet.index).unwrap();
+        let own = plan.facets.iter().position(|other| other.first_cell() == facet.first_cell()).unwrap();
         // Points beside an inner edge lie in the gutters of both facets.
         if parts[own].depth(x, y) > 2.0 * gutter {
             assert_eq!(owner(&parts, x, y), own, "texel {x:.1}, {y:.1}");

@@ -1,0 +1,91 @@
+//! Tetrahedron: a point light is enclosed by four plain projections that fill one square, for small lights and lights at
+//! the eye (camera space shadow maps, section 6.3).
+//!
+//! One vertex points to the middle of the near plane: towards vertices a projection is finest, and what is visible there
+//! is near. Three faces meet in it and are parted by half-planes around that axis, the fourth lies behind all three.
+
+use glam::{DVec2, DVec3, DVec4};
+
+use super::anchors::{Anchors, barycentric};
+use crate::case::LightKind;
+use crate::facet::{Cell, FacetShape, Selection};
+use crate::light::LightPosition;
+use crate::plan::PlanError;
+use crate::schema::{Choice, Word};
+use crate::technique::{ConfigurationSpec, Draft, Situation};
+
+/// Faces around the axis.
+const SECTORS: u32 = 3;
+/// Two edges of a triangle are inner ones.
+const CLIPS: u32 = 2;
+/// Height of the base below the centre, of a circumradius of 1.
+const BASE: f64 = 1.0 / 3.0;
+
+pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
+    choice: Choice::plain("tetrahedron", "four plain projections around a small light or one at the eye"),
+    lights: &[LightKind::Spot, LightKind::Omni],
+    takes_distribution: false,
+    serves: |position| position == LightPosition::AtEye,
+    shape: |_, _| FacetShape { sectors: SECTORS, bands: 2, clips: CLIPS, ..FacetShape::ONE },
+    draft,
+};
+
+fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
+    Ok(around(situation).into_iter().collect())
+}
+
+/// The tetrahedron around a point light.
+pub(super) fn around(situation: &Situation<'_>) -> Option<Draft> {
+    if situation.light.w == 0.0 {
+        return None;
+    }
+    let light = situation.light.truncate();
+    let tip = (DVec3::NEG_Z * situation.view.near_metres - light).try_normalize().unwrap_or(DVec3::NEG_Z);
+    let (across, up) = (-tip).any_orthonormal_pair();
+    let base = BASE_ANGLES.map(|(cosine, sine)| {
+        let radius = (1.0 - BASE * BASE).sqrt();
+        (across * cosine + up * sine) * radius - tip * BASE
+    });
+    let at = |vertex: DVec3| (light + vertex).extend(1.0);
+    let past = |vertex: DVec3| {
+        let normal = vertex.cross(tip).normalize();
+        normal.extend(-normal.dot(light))
+    };
+    let mut selection = Selection::around(SECTORS, 2);
+    let mut facets = Vec::new();
+    let square = |k: usize| [DVec2::ZERO, SQUARE[k], SQUARE[(k + 1) % 4]];
+
+    // Three faces around the vertex.
+    for sector in 0..SECTORS as usize {
+        let (one, two) = (base[sector], base[(sector + 1) % 3]);
+        let face = Anchors {
+            points: [at(tip), at(one), at(two)],
+            weights: [1.0; 3],
+            targets: square(sector),
+            share: 1.0,
+        };
+        let [toward_tip, ..] = barycentric(face.points, light)?;
+        let toward_tip = toward_tip / toward_tip.truncate().length();
+        let sides = vec![past(one), -past(two), toward_tip];
+        let cells = vec![Cell::of(sector as u32, 0)];
+        facets.push(face.facet(cells, 0, light, (sides, &situation.receivers))?);
+        selection.borders.push(past(one));
+        selection.distances.push(-toward_tip);
+        selection.thresholds.push(vec![0.0]);
+        selection.units.push(DVec4::W);
+    }
+
+    // The base behind them.
+    let behind = selection.distances.clone();
+    let face = Anchors { points: base.map(at), weights: [1.0; 3], targets: square(3), share: 1.0 };
+    let cells = (0..SECTORS).map(|sector| Cell::of(sector, 1)).collect();
+    facets.push(face.facet(cells, 0, light, (behind, &situation.receivers))?);
+    Some(Draft { configuration: SPEC.choice.name, form: "", complete: true, selection, facets })
+}
+
+/// Cosine and sine of a third of a turn.
+const BASE_ANGLES: [(f64, f64); 3] =
+    [(1.0, 0.0), (-0.5, 0.866_025_403_784_438_6), (-0.5, -0.866_025_403_784_438_6)];
+/// Corners of a square's clip space, counter-clockwise.
+const SQUARE: [DVec2; 4] =
+    [DVec2::new(-1.0, -1.0), DVec2::new(1.0, -1.0), DVec2::new(1.0, 1.0), DVec2::new(-1.0, 1.0)];

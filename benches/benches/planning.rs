@@ -1,1 +1,44 @@
-fn main() {}
+//! Criterion's view of the work on the CPU: planning every declaration that ships, and building a capture's commands.
+
+use std::hint::black_box;
+use std::process::ExitCode;
+
+use criterion::Criterion;
+use cssm_benches::cpu::{command_jobs, plan_jobs};
+use cssm_benches::error::BenchError;
+use cssm_core::LightCase;
+use cssm_lab::gpu::Gpu;
+use cssm_lab::scene::Scene;
+
+fn main() -> ExitCode {
+    let mut criterion = Criterion::default().configure_from_args();
+    if let Err(error) = planning(&mut criterion).and_then(|()| commands(&mut criterion)) {
+        eprintln!("planning: {error}");
+        return ExitCode::FAILURE;
+    }
+    criterion.final_summary();
+    ExitCode::SUCCESS
+}
+
+fn planning(criterion: &mut Criterion) -> Result<(), BenchError> {
+    let mut group = criterion.benchmark_group("plan");
+    for job in plan_jobs(&Scene::palm())? {
+        job.run()?;
+        group.bench_function(&job.name, |bencher| bencher.iter(|| black_box(&job).run()));
+    }
+    group.finish();
+    Ok(())
+}
+
+fn commands(criterion: &mut Criterion) -> Result<(), BenchError> {
+    let scene = Scene::palm();
+    let cases: Vec<LightCase> = plan_jobs(&scene)?.into_iter().map(|job| job.case).collect();
+    let gpu = Gpu::open(&cases.iter().collect::<Vec<_>>(), (1, 1))?;
+    let mut group = criterion.benchmark_group("commands");
+    for job in command_jobs(&gpu, &scene)? {
+        job.run()?;
+        group.bench_function(&job.name, |bencher| bencher.iter(|| black_box(&job).run()));
+    }
+    group.finish();
+    Ok(())
+}

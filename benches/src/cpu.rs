@@ -1,19 +1,20 @@
 //! The work of a frame that needs no device: planning, and building the commands of the capture pass.
 
+use std::hint::black_box;
 use std::path::Path;
+use std::time::Instant;
 
 use cssm_core::{Light, LightCase, PlanError, SceneBounds, ShadowPlan, View, plan};
 use cssm_lab::case_file::pick_case;
 use cssm_lab::gpu::{Gpu, SceneBuffers};
 use cssm_lab::scene::Scene;
+use cssm_lab::timing::Interval;
 use cssm_runtime::{CasterInstance, FrameStatistics, Options, ServiceError, ShadowService};
 use shaders_gen::shipped;
 
 use crate::error::BenchError;
-use crate::situation::situations;
-
-/// Image of the views that are planned for.
-const IMAGE_PIXELS: (u32, u32) = (1920, 1080);
+use crate::report::CpuTimes;
+use crate::situation::{IMAGE_PIXELS, situations};
 
 /// A plan to be made.
 #[derive(Debug, Clone)]
@@ -49,6 +50,9 @@ const LAMPS: [(&str, &str); 6] = [
     (shipped::SPOT, "spot-aside"),
     (shipped::SPOT, "spot-dueling"),
 ];
+
+/// Cases whose commands are built.
+const CULLED: [&str; 4] = ["Standard", "FourPlane", "Sun", "Lamp"];
 
 /// The declarations that ship, each with a light that it is made for; `Standard` comes first.
 ///
@@ -102,6 +106,46 @@ impl CommandJob {
     pub fn run(&self) -> Result<FrameStatistics, ServiceError> {
         Ok(self.service.commands(&self.plan, &self.casters)?.1)
     }
+}
+
+/// Commands of some of the plans for a scene.
+///
+/// # Errors
+/// As [`CommandJob::new`].
+pub fn command_jobs(gpu: &Gpu, scene: &Scene) -> Result<Vec<CommandJob>, BenchError> {
+    let jobs = plan_jobs(scene)?;
+    let culled = jobs.iter().filter(|job| CULLED.contains(&job.case.name.as_str()));
+    culled.map(|job| CommandJob::new(gpu, scene, job)).collect()
+}
+
+/// Runs all jobs in turns and times each against the first one of the same turn.
+///
+/// # Errors
+/// What a job says.
+pub fn time_in_turns<J, R, E: Into<BenchError>>(
+    heading: &'static str,
+    jobs: &[J],
+    name: impl Fn(&J) -> &str,
+    run: impl Fn(&J) -> Result<R, E>,
+    (warm_up_runs, runs): (usize, usize),
+) -> Result<CpuTimes, BenchError> {
+    let mut times = vec![Vec::with_capacity(runs); jobs.len()];
+    for turn in 0..warm_up_runs + runs {
+        for (job, times) in jobs.iter().zip(&mut times) {
+            let start = Instant::now();
+            black_box(run(job).map_err(Into::into)?);
+            let microseconds = start.elapsed().as_secs_f64() * 1e6;
+            if turn >= warm_up_runs {
+                times.push(microseconds);
+            }
+        }
+    }
+    let first = times.first().cloned().unwrap_or_default();
+    let jobs = jobs.iter().zip(times).map(|(job, times)| {
+        let ratios = times.iter().zip(&first).map(|(ours, first)| ours / first).collect();
+        (name(job).to_owned(), Interval::of(times), Interval::of(ratios))
+    });
+    Ok(CpuTimes { heading, jobs: jobs.collect() })
 }
 
 fn shipped_case(text: &str) -> Result<LightCase, BenchError> {

@@ -21,6 +21,9 @@ pub struct CpuTimes {
     pub jobs: Vec<(String, Interval, Interval)>,
 }
 
+/// What a table shows of frames with maps of one size.
+type Figure = fn(&MapTimes, &[FrameTimes]) -> Interval;
+
 /// A ratio that the report states.
 struct Ratio {
     situation: usize,
@@ -80,24 +83,21 @@ pub fn markdown(measured: &Measurement, cpu: &[CpuTimes]) -> String {
          stretching.\n\n### Table 1: frames per second\n",
         paper::ADAPTER
     ));
-    let rates = |of: fn(&FrameTimes) -> f64| {
-        move |_: &MapTimes, frames: &[FrameTimes]| rate(frames.iter().map(of).collect())
-    };
-    let whole = |column: &paper::Column| column.frames_per_second;
-    parts.push(paper_table(measured, Some(rates(|times| times.frame)), rates(|times| times.frame), whole));
+    let frames: Figure = |_, frames| rate(frames.iter().map(|times| times.frame).collect());
+    parts.push(paper_table(measured, Some(frames), frames, |column| column.frames_per_second));
     parts.push(
         "### Table 2: frames per second of shadows alone\n\nOurs from the times of capture and resolve, the paper's by \
          difference.\n"
             .to_owned(),
     );
-    parts.push(paper_table(measured, None, rates(FrameTimes::shadows), paper::Column::fictive));
+    let shadows: Figure = |_, frames| rate(frames.iter().map(FrameTimes::shadows).collect());
+    parts.push(paper_table(measured, None, shadows, paper::Column::fictive));
     parts.push("### Table 3: what the light adds to a frame without light, %\n".to_owned());
-    let increase = |map: &MapTimes, frames: &[FrameTimes]| {
+    let increase: Figure = |map, frames| {
         let shares = frames.iter().zip(&map.without_light);
         Interval::of(shares.map(|(with, without)| 100.0 * with.shadows() / without.frame).collect())
     };
-    let percent = |column: &paper::Column| column.increase().map(|share| 100.0 * share);
-    parts.push(paper_table(measured, None, increase, percent));
+    parts.push(paper_table(measured, None, increase, |column| column.increase().map(|share| 100.0 * share)));
     parts.push("## Milliseconds of capture / resolve, medians\n".to_owned());
     parts.push(milliseconds_table(measured));
     parts.push("## What was drawn\n\nCounts do not depend on the machine; here at the largest map.\n".to_owned());
@@ -156,9 +156,9 @@ fn ratio_table(measured: &Measurement, of: fn(&FrameTimes) -> f64, with_paper: b
 /// One of the paper's tables: a row for each contender, the paper's below it.
 fn paper_table(
     measured: &Measurement,
-    without_light: Option<impl Fn(&MapTimes, &[FrameTimes]) -> Interval>,
-    with_light: impl Fn(&MapTimes, &[FrameTimes]) -> Interval,
-    of_column: impl Fn(&paper::Column) -> [f64; 5],
+    without_light: Option<Figure>,
+    with_light: Figure,
+    of_column: fn(&paper::Column) -> [f64; 5],
 ) -> String {
     let sides = sides(measured);
     let mut table = Table::new(std::iter::once(String::new()).chain(headings(&sides)));

@@ -41,12 +41,13 @@ impl ViewPasses {
     /// What the device refuses.
     pub fn new(gpu: &Gpu, scene: &Scene, view: &View, toward_light: DVec3) -> Result<Self, GpuError> {
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-        let target = |format| {
+        let target = |format, usage| {
             let texture = gpu.texture(view.size_pixels, format, usage)?;
             Ok::<_, GpuError>(texture.create_view(&wgpu::TextureViewDescriptor::default()))
         };
-        let (depth, lit, image) = (target(DEPTH_FORMAT)?, target(LIT_FORMAT)?, target(COLOUR_FORMAT)?);
-        let (normals, colours) = (target(NORMAL_FORMAT)?, target(COLOUR_FORMAT)?);
+        let (depth, image) = (target(DEPTH_FORMAT, usage)?, target(COLOUR_FORMAT, usage)?);
+        let (normals, colours) = (target(NORMAL_FORMAT, usage)?, target(COLOUR_FORMAT, usage)?);
+        let lit = target(LIT_FORMAT, usage | wgpu::TextureUsages::COPY_SRC)?;
         let geometry = Geometry::new(gpu, scene, view, toward_light)?;
         let pipelines = Pipelines::new(gpu)?;
         let groups = gpu.checked("the view's bind groups", || {

@@ -141,7 +141,9 @@ pub(crate) fn pick(
         ShaderKind::CaptureTestedClamped => {
             (capture(table, shader), &["capture_tested_clamped_vertex", "capture_tested_clamped_fragment"])
         }
-        ShaderKind::CaptureBent => (capture(table, shader), &["capture_bent_vertex", "capture_bent_fragment"]),
+        ShaderKind::CaptureBent => {
+            (capture(table, shader), &["capture_bent_vertex", "capture_bent_fragment"])
+        }
         ShaderKind::CaptureBentTested => {
             (capture(table, shader), &["capture_bent_tested_vertex", "capture_bent_tested_fragment"])
         }

@@ -6,10 +6,9 @@
 
 use std::fmt;
 
-use crate::case::{LightCase, LightKind};
+use crate::case::LightCase;
 use crate::light::{Light, LightPosition};
 use crate::plan::{PlanError, SceneBounds, ShadowPlan, plan_preferring};
-use crate::technique::TechniqueSpec;
 use crate::view::View;
 
 /// What was chosen for a frame, and why.
@@ -26,8 +25,7 @@ pub struct ConfigurationChoice {
     pub predictions: Vec<Prediction>,
     /// Whether every visible receiver that the light reaches has a facet; if not, nothing is promised of the rest.
     pub complete: bool,
-    /// Configurations of the technique that are made for the light's position; empty when the chosen one is. None of
-    /// them is declared, or those declared would be worse.
+    /// Configurations of the technique that are made for the light's position; empty when one of them is declared.
     pub made_for_position: Vec<&'static str>,
 }
 
@@ -170,15 +168,9 @@ pub(crate) fn choose(predictions: &[Prediction], kept: Kept) -> (usize, ChoiceRe
     }
 }
 
-/// Names of the technique's configurations that are made for a position of the light, if the chosen one is not.
-pub(crate) fn made_for(
-    spec: &TechniqueSpec,
-    light: LightKind,
-    position: LightPosition,
-    configuration: &str,
-) -> Vec<&'static str> {
-    if (spec.configuration(configuration).serves)(position) {
-        return Vec::new();
-    }
-    spec.made_for(light, position).collect()
+/// Names of the technique's configurations that are made for a position of the light, if none of those declared is.
+pub(crate) fn made_for(case: &LightCase, position: LightPosition) -> Vec<&'static str> {
+    let spec = case.technique_spec();
+    let made: Vec<_> = spec.made_for(case.light, position).collect();
+    if case.configurations.iter().any(|word| made.contains(&word.name)) { Vec::new() } else { made }
 }

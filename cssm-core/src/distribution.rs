@@ -70,6 +70,8 @@ pub struct DistanceRange {
     /// How far lines of equal place across lean, at most, where they all meet at distance 0: 1 is half a right angle.
     /// A push-back raises them.
     pub slant: f64,
+    /// The part of it that all lines share, of 1; nothing where they lean both ways.
+    pub shared_slant: f64,
     /// Near plane of the view where receivers begin beyond it because the light does not reach the eye; the density of
     /// rows over distance then stays what it would be without the gap.
     pub unlit_near_metres: Option<f64>,
@@ -93,6 +95,8 @@ pub struct Piece {
     pub curve: Curve,
     /// How much finer its texels are to be than those of weight 1.
     pub weight: f64,
+    /// Distance beyond which its texels may grow with distance, because rows are spent before it; infinite: nowhere.
+    pub focus_metres: f64,
 }
 
 /// Number of pieces in every column of a case.

@@ -104,7 +104,7 @@ impl MapArea {
 /// # Errors
 /// [`PlanError::MapTooSmall`] when they do not fit.
 pub fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Placement>, PlanError> {
-    let balanced = |request| matches!(request, TileRequest::Footprint | TileRequest::Coarser(_));
+    let balanced = |request| matches!(request, TileRequest::Footprint | TileRequest::Coarser { .. });
     if demands.iter().all(|demand| balanced(demand.request)) {
         return equal::place(demands, area);
     }

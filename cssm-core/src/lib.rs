@@ -47,6 +47,7 @@ pub mod receivers;
 pub mod remap;
 pub mod samples;
 pub mod schema;
+pub mod stretch;
 pub mod table;
 pub mod technique;
 pub mod twin;

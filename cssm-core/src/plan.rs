@@ -322,7 +322,12 @@ pub(crate) fn plan_preferring(
     let row_to_world = |row: DVec4| (camera_from_world.transpose() * row.truncate()).extend(row.w);
     let mut facets: Vec<Facet> = facets.into_iter().map(|facet| facet.turned(&row_to_world)).collect();
     facets.sort_by_key(Facet::first_cell);
-    let mut selection = draft.selection.clone().padded(&case.shape());
+    let shape = case.shape();
+    let mut selection = draft.selection.clone().padded(&shape);
+    if case.scales_thresholds() && selection.units.is_empty() {
+        // Another configuration of the case scales its limits; this one's are plain.
+        selection.units = vec![DVec4::W; (shape.halves * shape.sectors) as usize];
+    }
     for row in selection.rows_mut() {
         *row = row_to_world(*row);
     }
@@ -333,7 +338,7 @@ pub(crate) fn plan_preferring(
         reason,
         predictions: if predictions.len() > 1 { predictions } else { Vec::new() },
         complete,
-        made_for_position: made_for(spec, case.light, position, configuration),
+        made_for_position: made_for(case, position),
     };
     Ok(ShadowPlan {
         configuration,

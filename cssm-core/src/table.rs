@@ -181,8 +181,7 @@ pub enum Meaning {
     /// Depth by which an exact receiver plane is lowered for rounding, for a local light.
     RoundingDepth,
     /// Remap of the rows: for [`RemapKind::Perspective`] (shift, scale, push-back, 0); for [`RemapKind::Logarithmic`]
-    /// (shift, change per ln(k focus) before the focus and after it, focus), then (k of the horizon, shift, change
-    /// per k beyond it, 0).
+    /// (shift, change per ln(k reference), reference, 0), then (k of the horizon, shift, change per k beyond it, 0).
     Remap,
     /// Width and height of the facet's tile in texels.
     TileSize,

@@ -263,8 +263,13 @@ pub enum Region {
 pub enum TileRequest {
     /// As many texels as make its footprint equal to the others'.
     Footprint,
-    /// The same with a footprint so many times the others'.
-    Coarser(f64),
+    /// The same with a footprint so many times the others', which may grow with depth beyond a focus.
+    Coarser {
+        /// How many times.
+        times: f64,
+        /// Depth of the focus; infinite: there is none.
+        focus_metres: f64,
+    },
     /// A share of the map, as square as can be.
     Share(f64),
     /// Width and height in texels.

@@ -82,3 +82,55 @@ fn points_behind_and_beside_the_eye_are_as_good_as_the_reference() {
         assert!(found <= TOLERANCE * reference, "{configuration} {place:?} {found}");
     }
 }
+
+/// Largest change of p95 in a step of a tenth of a degree, as the eye sees the lamp move: relative, or in pixels.
+const LIMIT: f64 = 0.05;
+const LIMIT_PIXELS: f64 = 0.5;
+
+#[test]
+fn a_moving_lamp_is_served_without_pops_or_gaps() {
+    let view = level_view(0.2, 1000.0);
+    let case = LightCase::builder("Lamp").light(LightKind::Omni).build().unwrap();
+    // Past the view's upper edge, from before the eye to behind it, across the view, around it, and away.
+    let paths: [(&str, DVec3, DVec3); 5] = [
+        ("up through the edge", DVec3::new(0.5, 2.0, -10.0), DVec3::new(0.5, 20.0, -10.0)),
+        ("overhead", DVec3::new(1.0, 4.0, -15.0), DVec3::new(1.0, 4.0, 15.0)),
+        ("across the view", DVec3::new(-12.0, 1.0, -8.0), DVec3::new(12.0, 1.0, -8.0)),
+        ("from behind to the side", DVec3::new(0.3, 0.5, 6.0), DVec3::new(9.0, 0.5, 6.0)),
+        ("away", DVec3::new(0.5, 0.5, -2.0), DVec3::new(5.0, 5.0, -60.0)),
+    ];
+    // The normal run looks at one step in ten.
+    let stride = if std::env::var_os("CSSM_FULL").is_some() { 1.0 } else { 10.0 };
+    let mut used = std::collections::BTreeSet::new();
+    for (name, from, to) in paths {
+        let mut share: f64 = 0.0;
+        let mut worst = (0.0, String::new());
+        while share < 1.0 {
+            let step = 0.1_f64.to_radians() * from.lerp(to, share).length() / from.distance(to);
+            let [(before, last), (after, p95)] = [share, share + step].map(|share| {
+                let place = from.lerp(to, share);
+                let lamp = Light::omni(view.eye_world + place, f64::INFINITY).unwrap();
+                let plan = plan(&case, &view, &lamp, &SceneBounds::default()).unwrap();
+                assert!(plan.choice.complete, "{name} {place}: {}", plan.choice);
+                let p95 = score_volume(&plan, &view, 1000.0, 2000).p95_pixels;
+                (plan, p95)
+            });
+            used.insert(after.configuration);
+            let change = f64::abs(p95 / last - 1.0);
+            if change > worst.0 {
+                let place = from.lerp(to, share);
+                let (before, after) = (before.configuration, after.choice);
+                worst = (change, format!("{place}: {last:.2} to {p95:.2} px, {before} to {after}"));
+            }
+            assert!(
+                change < LIMIT || f64::abs(p95 - last) < LIMIT_PIXELS,
+                "{name}: {} at {}",
+                worst.0,
+                worst.1
+            );
+            share += stride * step;
+        }
+        println!("{name}: largest step {:.1} % at {}", 100.0 * worst.0, worst.1);
+    }
+    assert!(used.len() >= 2, "{used:?}");
+}

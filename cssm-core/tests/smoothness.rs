@@ -18,6 +18,8 @@ use support::{Random, level_view, sun, toward};
 
 /// Largest change of p95 in one step.
 const LIMIT: f64 = 0.05;
+/// The same for four bands, at corners of the view.
+const COARSE_LIMIT: f64 = 0.07;
 /// Length of a step, degrees.
 const STEP_DEGREES: f64 = 0.1;
 
@@ -135,6 +137,7 @@ fn case(bands: u32) -> LightCase {
 /// Walks paths, prints the worst steps in a full run, and refuses any over the limit.
 fn assert_smooth(meter: &Meter, bands: u32, paths: &[Path]) {
     let case = case(bands);
+    let limit = if bands < 8 { COARSE_LIMIT } else { LIMIT };
     let (mut all, mut largest) = (Vec::new(), (0.0, String::new()));
     for path in paths {
         let series: Vec<f64> = path.poses.iter().map(|pose| meter.p95(&case, pose)).collect();
@@ -149,7 +152,7 @@ fn assert_smooth(meter: &Meter, bands: u32, paths: &[Path]) {
         if full() && change > 0.02 {
             println!("{:5.2} % {place}", 100.0 * change);
         }
-        assert!(change < LIMIT, "{bands} bands, {place}");
+        assert!(change < limit, "{bands} bands, {place}");
         all.extend(changes(&series).into_iter().map(|(change, _)| change));
         if change > largest.0 {
             largest = (change, place);
@@ -268,6 +271,7 @@ fn the_measure_sees_a_layout_that_pops() {
         let mut smooth: Vec<f64> = (0..200).map(|k| 3.0 + 0.2 * (f64::from(k) * PI / 100.0).sin()).collect();
         assert!(worst(&smooth).0 < LIMIT);
         smooth[120] *= off;
-        assert!(!(worst(&smooth).0 < LIMIT), "{off}");
+        let within = worst(&smooth).0 < LIMIT;
+        assert!(!within, "{off}");
     }
 }

@@ -121,12 +121,15 @@ mod tests {
 
     #[test]
     fn every_kind_of_light_has_every_configuration_that_serves_it() {
-        let names = |kind| -> Vec<String> {
-            entries(kind).unwrap().into_iter().map(|entry| entry.name).collect()
-        };
+        let names =
+            |kind| -> Vec<String> { entries(kind).unwrap().into_iter().map(|entry| entry.name).collect() };
         let omni = names(LightKind::Omni);
-        for wanted in ["omni cube", "omni eight_plane", "omni face_columns bands", "omni one_plane logarithmic stretched"]
-        {
+        for wanted in [
+            "omni cube",
+            "omni eight_plane",
+            "omni face_columns bands",
+            "omni one_plane logarithmic stretched",
+        ] {
             assert!(omni.iter().any(|name| name == wanted), "{wanted} in {omni:?}");
         }
         assert!(names(LightKind::Spot).iter().any(|name| name == "spot light_projection"));

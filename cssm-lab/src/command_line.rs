@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::catalogue_sheet::{self, CatalogueArguments};
 use crate::contact_sheet::{self, ContactSheetArguments};
 use crate::demo::{self, DemoArguments};
 use crate::error::LabError;
@@ -28,6 +29,7 @@ enum Command {
     Footprint(FootprintArguments),
     Demo(DemoArguments),
     ContactSheet(ContactSheetArguments),
+    Catalogue(CatalogueArguments),
 }
 
 /// Runs what the process's arguments say; results go to standard output, faults to standard error.
@@ -56,6 +58,7 @@ fn run_command(line: &CommandLine) -> Result<String, LabError> {
             Ok(table)
         }
         Command::ContactSheet(arguments) => contact_sheet::run(arguments, progress),
+        Command::Catalogue(arguments) => catalogue_sheet::run(arguments, progress),
         Command::Footprint(arguments) => Ok(footprint_command::run(arguments)?),
     }
 }

@@ -12,7 +12,7 @@ use crate::arguments::{parse_image_size, parse_size};
 use crate::case_file::{load_case, pick_case, with_map_size};
 use crate::error::LabError;
 use crate::gpu::{Gpu, ResolveMethod};
-use crate::picture::{LABEL_BACKGROUND, LINE_PIXELS, Picture, legend};
+use crate::picture::{LABEL_BACKGROUND, LINE_PIXELS, Picture, broken, labelled, legend, triptych};
 use crate::progress::Progress;
 use crate::report::{Report, create_folder, write_json};
 use crate::scene::{BUILT_IN, Scene};
@@ -82,11 +82,10 @@ fn joined(shown: &[Vec<Shown>]) -> Picture {
         let cells: Vec<_> = shown
             .iter()
             .filter_map(|column| column.get(number))
-            .map(|(pictures, report)| (pictures, cell::text(report, pictures.width)))
+            .map(|(pictures, report)| (pictures, broken(&cell::figures(report), pictures.width)))
             .collect();
         let lines = cells.iter().map(|(_, text)| text.len()).max().unwrap_or(0);
-        let cells: Vec<_> =
-            cells.iter().map(|(pictures, text)| cell::labelled(pictures, text, lines)).collect();
+        let cells: Vec<_> = cells.iter().map(|(pictures, text)| labelled(pictures, text, lines)).collect();
         Picture::beside(&cells)
     };
     Picture::stacked(&(0..rows).map(row).collect::<Vec<_>>())
@@ -140,7 +139,8 @@ fn show_scene(
             let attempt = stage.attempt(case, ResolveMethod::of(case))?;
             let outcome = attempt.outcome()?;
             bar.inc(1);
-            Ok((cell::pictures(&attempt, &outcome)?, Report::new(&attempt, &outcome, None)))
+            let pictures = triptych(&stage, &attempt.plan, &attempt.map()?, &outcome);
+            Ok((pictures, Report::new(&attempt, &outcome, None)))
         })
         .collect()
 }

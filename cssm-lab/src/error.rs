@@ -76,6 +76,12 @@ pub enum LabError {
         /// What there is.
         known: Vec<&'static str>,
     },
+    /// A built-in declaration is wrong.
+    #[error("a built-in declaration is wrong: {errors:?}; report it")]
+    Catalogue {
+        /// What is wrong.
+        errors: Vec<cssm_core::case::CaseError>,
+    },
     /// A result file or folder cannot be written.
     #[error("cannot write {}: {source}; check that the folder exists and has space", path.display())]
     Write {

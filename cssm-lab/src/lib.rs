@@ -17,6 +17,7 @@
 pub mod arguments;
 pub mod case_file;
 pub mod catalogue;
+pub mod catalogue_sheet;
 pub mod command_line;
 pub mod contact_sheet;
 pub mod convergence;
@@ -29,6 +30,7 @@ pub mod picture;
 pub mod progress;
 pub mod render;
 pub mod report;
+pub mod report_files;
 pub mod scene;
 pub mod score;
 pub mod sight;

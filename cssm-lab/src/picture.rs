@@ -3,10 +3,12 @@
 mod error;
 mod map;
 mod shaded;
+mod triptych;
 
 pub use error::{error_picture, legend, verdict_picture, worst_verdict};
 pub use map::{map_picture, map_picture_of_size};
 pub use shaded::shaded_picture;
+pub use triptych::{broken, labelled, triptych};
 
 use std::path::Path;
 

@@ -5,9 +5,7 @@ use std::path::{Path, PathBuf};
 use cssm_core::glam::DVec3;
 use cssm_core::{Light, View};
 
-use crate::arguments::{
-    LIGHT_FORMS, parse_depth, parse_image_size, parse_light, parse_point, parse_size,
-};
+use crate::arguments::{LIGHT_FORMS, parse_depth, parse_image_size, parse_light, parse_point, parse_size};
 use crate::case_file::{load_case, with_map_size};
 use crate::error::LabError;
 use crate::exr_file::FrameLayers;
@@ -136,7 +134,8 @@ pub fn write_results(
     report: &Report,
 ) -> Result<(), LabError> {
     let (stage, frame) = (attempt.stage(), &attempt.stage().frame);
-    shaded_picture(stage.scene, frame, &outcome.visibility, &stage.light).write_png(&folder.join("shaded.png"))?;
+    shaded_picture(stage.scene, frame, &outcome.visibility, &stage.light)
+        .write_png(&folder.join("shaded.png"))?;
     map_picture(&attempt.plan, &attempt.map()?).write_png(&folder.join("map.png"))?;
     error_picture(frame.width, frame.height, &outcome.verdicts, &outcome.score)
         .write_png(&folder.join("error.png"))?;

@@ -47,9 +47,16 @@ impl<'a> Stage<'a> {
         light: Light,
         options: StageOptions,
     ) -> Result<Self, LabError> {
-        let sight = Sight::trace(scene, tracer, view, light, options)?;
-        let buffers = SceneBuffers::new(gpu, scene)?;
-        let surface = Surface::new(gpu, &view, &sight.frame)?;
+        Self::of(gpu, Sight::trace(scene, tracer, view, light, options)?)
+    }
+
+    /// Uploads what a sight sees.
+    ///
+    /// # Errors
+    /// When the device refuses.
+    pub fn of(gpu: &'a Gpu, sight: Sight<'a>) -> Result<Self, LabError> {
+        let buffers = SceneBuffers::new(gpu, sight.scene)?;
+        let surface = Surface::new(gpu, &sight.view, &sight.frame)?;
         Ok(Self { gpu, sight, buffers, surface })
     }
 

@@ -115,7 +115,8 @@ fn trace_pixel(
     let toward_light = light.toward_world(world);
     let light_metres = light.distance_metres(world);
     let reached = light.reaches(world);
-    let lit = reached && !tracer.blocked(world, toward_light, start..light_metres - start, hit.triangle, stack);
+    let lit =
+        reached && !tracer.blocked(world, toward_light, start..light_metres - start, hit.triangle, stack);
     Some(Visible {
         position,
         normal,

@@ -88,10 +88,9 @@ impl<'a> TwinCasters<'a> {
                     instance.world_from_object.transform_point3(object) - eye_world
                 });
                 let [one, two, three] = triangle;
-                casters.boxes.push(BoundingBox {
-                    min: one.min(two).min(three),
-                    max: one.max(two).max(three),
-                });
+                casters
+                    .boxes
+                    .push(BoundingBox { min: one.min(two).min(three), max: one.max(two).max(three) });
                 casters.triangles.push(triangle);
                 casters.holes.push(mesh.mask.as_ref().map(|mask| Hole { mask, corners }));
             }

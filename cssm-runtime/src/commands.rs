@@ -5,6 +5,7 @@
 //! behind one another, sorted by pipeline and mesh, so that one draw covers all instances of a mesh that a facet draws
 //! whole. Instances of which it draws only some clusters follow, with a draw for each range of clusters.
 
+mod bending;
 mod casters;
 mod facet_draws;
 mod ranges;
@@ -74,14 +75,19 @@ pub struct MeshFacts<'m> {
 }
 
 /// How a mesh's triangles are drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Drawing {
     /// By the mesh's pipeline.
     #[default]
     Plain,
-    /// By the mesh's pipeline, which leaves out what bent rows bend too far; then, where a facet bends rows, by another
+    /// By the mesh's pipeline, which leaves out what bent rows bend too far; then, where a facet may do that, by another
     /// that draws a fan of four triangles for each that was left out.
-    Both(PipelineHandle),
+    Both {
+        /// The other pipeline.
+        fans: PipelineHandle,
+        /// Texels by which straight edges may miss bent ones.
+        bound_texels: f32,
+    },
     /// By the mesh's pipeline, which draws a fan of four triangles for each.
     Fans,
 }

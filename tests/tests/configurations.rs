@@ -154,7 +154,7 @@ fn every_configuration_and_distribution_reads_as_locked() {
             let _ = writeln!(text, "=== {owner}");
             printed.print(&mut text, "table", &owner, compact(&table));
             for shader in table.shaders.iter() {
-                if matches!(shader.kind, ShaderKind::Function | ShaderKind::Capture | ShaderKind::CaptureBent) {
+                if matches!(shader.kind, ShaderKind::Function | ShaderKind::Capture) {
                     printed.print(&mut text, shader.kind.name(), &owner, code(&shader.wgsl));
                 }
             }

@@ -6,8 +6,9 @@
 use cssm_core::case::LightCase;
 use cssm_core::glam::{DVec2, DVec3};
 use cssm_core::twin::{DepthMap, Triangle, capture_tested};
-use cssm_core::{Light, SceneBounds, ShadowPlan, View, plan};
-use cssm_lab::scene::{AlphaMask, Scene, Viewpoint};
+use cssm_core::{SceneBounds, ShadowPlan, plan};
+use cssm_lab::catalogue;
+use cssm_lab::scene::{AlphaMask, Scene};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, Snapshot};
 use shaders_gen::shipped;
@@ -76,16 +77,17 @@ struct Situation<'a> {
 }
 
 impl<'a> Situation<'a> {
-    /// The first view of a scene whose light the case is made for.
+    /// The first situation of a scene with a light that the case is made for.
     fn new(scene: &'a Scene, case: &LightCase) -> Self {
-        let planned = |viewpoint: &Viewpoint| {
-            let (eye, target) = (viewpoint.eye_world, viewpoint.target_world);
-            let view = View::perspective(eye, target, DVec3::Y, 1.0, 0.1, f64::INFINITY, (640, 360)).unwrap();
-            let light = Light::directional_travelling(viewpoint.light_travels).unwrap();
-            plan(case, &view, &light, &SceneBounds::of(scene.bounds_world())).unwrap()
+        let planned = |situation: &catalogue::Situation| {
+            let bounds = SceneBounds::of(scene.bounds_world());
+            plan(case, &situation.view, &situation.light, &bounds).unwrap()
         };
-        let made_for = |plan: &ShadowPlan| plan.choice.made_for_position.is_empty();
-        let plan = scene.views.iter().map(planned).find(made_for).expect("a case is made for some view");
+        let made_for =
+            |plan: &ShadowPlan| plan.choice.complete && plan.choice.made_for_position.is_empty();
+        let situations = catalogue::situations(scene, (640, 360)).unwrap();
+        let mut own = situations.iter().filter(|situation| situation.light.kind() == case.light);
+        let plan = own.by_ref().map(planned).find(made_for).expect("a case is made for some situation");
         let eye = plan.eye_world;
         let mut situation = Self { plan, triangles: Vec::new(), cutouts: Vec::new() };
         for instance in &scene.instances {
@@ -138,6 +140,18 @@ fn maps_of_the_shipped_cases_are_locked() {
         for text in shipped::ALL {
             let case = sized(text, 256);
             lock(&format!("{}_{}", scene.name, case.prefix), &scene, &case);
+        }
+    }
+}
+
+#[test]
+fn maps_of_every_configuration_and_distribution_are_locked() {
+    let scene = Scene::palm();
+    for kind in catalogue::KINDS {
+        for entry in catalogue::entries(kind).unwrap() {
+            let mut case = entry.case;
+            (case.map.width, case.map.height) = (256, 256);
+            lock(&format!("every_{}", entry.name.replace(' ', "_")), &scene, &case);
         }
     }
 }

@@ -1,7 +1,8 @@
 //! The reference page: the schema as a document.
 
-use cssm_core::case::FIELDS;
+use cssm_core::case::{FIELDS, LightKind};
 use cssm_core::schema::{Choice, Default, Field, Kind, Unit};
+use cssm_core::technique::TECHNIQUES;
 
 const HEAD: &str = "\
 # Declarations
@@ -48,7 +49,25 @@ pub fn reference() -> String {
         page.push_str(&format!("\n\n- Takes {}.\n- Default: {}.\n", takes(&field.kind), default(field)));
         detail(&mut page, &field.kind);
     }
+    lights(&mut page);
     page
+}
+
+/// Which configurations a technique has for a kind of light.
+fn lights(page: &mut String) {
+    page.push_str("\n## Lights and configurations\n\n| technique | light | configurations | by default |\n|---|---|---|---|\n");
+    for technique in TECHNIQUES {
+        for light in [LightKind::Directional, LightKind::Spot, LightKind::Omni] {
+            let list =
+                |names: &[&str]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+            let serving: Vec<_> = technique.serving(light).collect();
+            if !serving.is_empty() {
+                let (name, light_name) = (technique.choice.name, light.name());
+                let defaults = list((technique.default_configurations)(light));
+                page.push_str(&format!("| `{name}` | `{light_name}` | {} | {defaults} |\n", list(&serving)));
+            }
+        }
+    }
 }
 
 /// Tables of what a field's kind holds in turn.

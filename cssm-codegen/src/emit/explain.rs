@@ -148,7 +148,9 @@ fn rows(case: &LightCase, table: &CaseTable, out: &mut Out) {
     if let Some(bent) = bent {
         let takes = |word: &&Word| case.technique_spec().configuration(word.name).takes_distribution;
         let names: Vec<_> = case.configurations.iter().filter(takes).map(|word| word.name).collect();
-        out.line(format!("  bent by {bent}: {}; straight elsewhere", names.join(", ")));
+        let all = names.len() == case.configurations.len() && case.dominant_plane.is_none();
+        let others = if all { "" } else { "; straight in all others" };
+        out.line(format!("  bent by {bent}: {}{others}", names.join(", ")));
     }
     match (bent, table.stretch) {
         (None, _) | (_, Stretch::None) => {}

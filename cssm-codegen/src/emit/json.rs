@@ -27,10 +27,9 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
         distribution: case.distribution.as_ref().map(|word| word.name),
         remap: remap_name(table.remap),
         stretch: JsonStretch::of(case, table),
-        dominant_plane: case.dominant_plane.map(|plane| JsonDominantPlane {
-            share: plane.share,
-            thickness_metres: plane.thickness_metres,
-        }),
+        dominant_plane: case
+            .dominant_plane
+            .map(|plane| JsonDominantPlane { share: plane.share, thickness_metres: plane.thickness_metres }),
         filter: case.filter.name(),
         bias: case.bias.name(),
         casters: case.casters.name(),

@@ -5,8 +5,8 @@ use std::process::Command;
 
 use cssm_core::LightCase;
 use cssm_core::case::{
-    Bias, CaseError, Casters, DominantPlane, Filter, LightCaseBuilder, LightKind, MaskDepth, MaskNormal, Resolve,
-    Stretch,
+    Bias, CaseError, Casters, DominantPlane, Filter, LightCaseBuilder, LightKind, MaskDepth, MaskNormal,
+    Resolve, Stretch,
 };
 use cssm_core::schema::Word;
 use cssm_core::table::{CaseTable, ShaderKind};

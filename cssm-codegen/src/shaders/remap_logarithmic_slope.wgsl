@@ -5,6 +5,5 @@ fn remap_slope(remap: array<vec4<f32>, 2>, inverse_distance: f32) -> f32 {
     if inverse_distance <= remap[1].x {
         return remap[1].z;
     }
-    let is_before_focus = inverse_distance * remap[0].w > 1.0;
-    return select(remap[0].z, remap[0].y, is_before_focus) / inverse_distance;
+    return remap[0].y / inverse_distance;
 }

@@ -6,9 +6,9 @@ struct Bend {
     least: f32,
     /// Greatest change.
     most: f32,
-    /// Whether rows lie above the chord somewhere, so far as slopes tell.
+    /// Whether rows lie above the chord.
     is_up: bool,
-    /// Whether rows lie below the chord somewhere.
+    /// Whether rows lie below the chord.
     is_down: bool,
 }
 

@@ -83,8 +83,7 @@ fn cover(one: vec4<f32>, two: vec4<f32>, three: vec4<f32>, number: u32) -> vec2<
     return centre + (point - centre) * (1.0 + 3.0 * COVER_MARGIN * longest / (area * inner));
 }
 
-/// Where lines from both ends of an edge meet that its bulge stays within; the middle of an edge that does not bulge
-/// out. The lines have the greatest and the least slope of the rows between: the end tangents, where there is no kink.
+/// Where the end tangents of an edge that bulges out meet; the middle of an edge that does not.
 fn outer_point(one: vec4<f32>, two: vec4<f32>, inner: f32) -> vec2<f32> {
     let at_one = bent_point(one);
     let way = bent_point(two) - at_one;
@@ -148,7 +147,8 @@ fn box_corner(box: vec4<f32>, number: u32) -> vec2<f32> {
 }
 
 /// The box, in texels from the tile's centre, around what the tile holds of a triangle; inside out where that is
-/// nothing. It is decided where edges are straight: the tile's part of each edge, and the tile's corners that lie inside.
+/// nothing. It is decided where edges are straight: the tile's part of each edge, and the tile's corners that lie
+/// inside.
 fn cut_box(one: vec4<f32>, two: vec4<f32>, three: vec4<f32>) -> vec4<f32> {
     let limits = capture.stretch_tile;
     var box = vec4<f32>(NO_PLACE, NO_PLACE, -NO_PLACE, -NO_PLACE);

@@ -34,6 +34,7 @@ pub(super) fn logarithmic_piece(arguments: &Arguments, range: &DistanceRange) ->
         push_back_metres: core,
         curve: Curve::Logarithmic { reference_metres: start, horizon_metres },
         weight: 1.0,
+        focus_metres: f64::INFINITY,
     }
 }
 

@@ -63,6 +63,7 @@ pub fn perspective_piece(focus_metres: f64, share: f64, range: &DistanceRange) -
         push_back_metres: core + own,
         curve,
         weight: 1.0,
+        focus_metres,
     }
 }
 

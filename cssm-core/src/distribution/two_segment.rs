@@ -22,6 +22,8 @@ pub(super) const SPEC: DistributionSpec = DistributionSpec {
     split,
 };
 
+/// Logarithm of the distance ratio on either side of the focus below which the column is not parted there.
+const SMALLEST_PART: f64 = 0.01;
 /// Largest ratio of densities on either side of the focus: beyond it tiles would go to receivers of no extent.
 const LARGEST_RATIO: f64 = 64.0;
 
@@ -32,7 +34,8 @@ fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
     let (start, farthest) = (range.nearest_metres + core, range.farthest_metres + core);
     let focus = Focus::of(arguments).metres(range.eye_height_metres);
     let value = |distance: f64| whole.curve.value(1.0 / distance);
-    if focus <= start || focus >= farthest {
+    let parts = [value(focus) - value(start), value(farthest) - value(focus)];
+    if parts.iter().any(|part| part.is_nan() || *part < SMALLEST_PART) {
         return folded(&whole, count);
     }
 
@@ -63,6 +66,7 @@ mod tests {
                 farthest_metres: farthest,
                 core_metres: 0.1,
                 slant: 1.0,
+                shared_slant: 0.0,
                 unlit_near_metres: None,
                 eye_height_metres: None,
                 bends: true,

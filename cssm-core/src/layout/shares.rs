@@ -39,7 +39,7 @@ pub(super) fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Tile>,
 fn asked(request: &TileRequest, facets: usize) -> f64 {
     match request {
         TileRequest::Share(share) => *share,
-        TileRequest::Footprint | TileRequest::Coarser(_) | TileRequest::Fixed(..) => 1.0 / facets as f64,
+        TileRequest::Footprint | TileRequest::Coarser { .. } | TileRequest::Fixed(..) => 1.0 / facets as f64,
     }
 }
 

@@ -32,6 +32,8 @@ pub(super) struct Window<'a> {
     pub(super) samples: Vec<DVec3>,
     /// What a texel spans at each sample that has an extent.
     pub(super) grams: Vec<Gram>,
+    /// Depth of each of those samples, metres.
+    depths: Vec<f64>,
     /// How many of `grams`, the first ones, come from samples of the view.
     pub(super) seen: usize,
 }
@@ -44,7 +46,11 @@ impl Window<'_> {
         // Triangles of one square keep their places beside each other; bends belong to y.
         let may_turn = matches!(self.draft.region, Region::Tile(_)) && self.rows.remap.is_none();
         let samples = match request {
-            TileRequest::Coarser(times) => self.grams.iter().map(|gram| gram.shortened(times)).collect(),
+            TileRequest::Coarser { times, focus_metres } => {
+                let grams = self.grams.iter().zip(&self.depths);
+                let grown = |depth: f64| times * (depth / focus_metres).max(1.0);
+                grams.map(|(gram, depth)| gram.shortened(grown(*depth))).collect()
+            }
             _ => self.grams.clone(),
         };
         TileDemand { request, samples, may_turn }
@@ -90,17 +96,20 @@ pub(super) fn fit<'a>(
         };
         let inside = |point: &DVec3| facet.receivers.contains(point.extend(1.0));
         outside += samples.iter().filter(|point| !inside(point)).count();
-        let usable = |points: &[DVec3]| -> Vec<Gram> {
-            points.iter().filter_map(|point| gram(&rows, situation, *point)).collect()
+        let usable = |points: &[DVec3]| -> (Vec<Gram>, Vec<f64>) {
+            let one = |point: &DVec3| Some((gram(&rows, situation, *point)?, -point.z));
+            points.iter().filter_map(one).unzip()
         };
-        let mut grams = usable(&samples);
+        let (mut grams, mut depths) = usable(&samples);
         let seen = grams.len();
         if samples.len() < FEWEST_SAMPLES {
             let added = inner_points(facet, FEWEST_SAMPLES - samples.len());
-            grams.extend(usable(&added));
+            let more = usable(&added);
+            grams.extend(more.0);
+            depths.extend(more.1);
             samples.extend(added);
         }
-        windows.push(Window { draft: facet, rows, samples, grams, seen });
+        windows.push(Window { draft: facet, rows, samples, grams, depths, seen });
     }
     (windows, outside)
 }

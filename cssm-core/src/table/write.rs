@@ -246,12 +246,12 @@ fn remap_vectors(remap: &Remap, vectors: usize) -> Vec<DVec4> {
             // No receiver lies beyond an infinite horizon, but corners of casters may: no logarithm reaches them.
             let horizon_metres = horizon_metres.min(FARTHEST_HORIZON_METRES);
             let curve = Curve::Logarithmic { reference_metres, horizon_metres };
-            let before = DVec4::new(shift, -scale, -scale, reference_metres);
+            let within = DVec4::new(shift, -scale, reference_metres, 0.0);
             let at_infinity = Remap { curve, ..*remap }.y(0.0);
-            vec![before, DVec4::new(1.0 / horizon_metres, at_infinity, -scale * horizon_metres, 0.0)]
+            vec![within, DVec4::new(1.0 / horizon_metres, at_infinity, -scale * horizon_metres, 0.0)]
         }
         // A row that is not bent lies beyond the horizon everywhere.
-        (_, _) => vec![DVec4::new(0.0, 0.0, 0.0, 1.0), DVec4::new(f64::from(f32::MAX), shift, scale, 0.0)],
+        (_, _) => vec![DVec4::Z, DVec4::new(f64::from(f32::MAX), shift, scale, 0.0)],
     }
 }
 

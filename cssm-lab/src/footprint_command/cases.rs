@@ -39,16 +39,24 @@ fn faces() -> LightCaseBuilder {
     LightCase::builder("Faces").configurations(&["face_columns"])
 }
 
-fn logarithmic() -> Word {
-    Word::with("logarithmic", [number("horizon", HORIZON_METRES)])
+/// Logarithmic rows in columns of so many pieces.
+fn logarithmic(folds: u32) -> Word {
+    Word::with("logarithmic", [number("horizon", HORIZON_METRES), ("folds", Value::Count(folds))])
 }
 
-fn perspective(focus_metres: f64) -> Word {
-    Word::with("perspective", [number("focus", focus_metres), number("share", 0.5)])
+fn perspective(focus_metres: f64, folds: u32) -> Word {
+    let arguments = [number("focus", focus_metres), number("share", 0.5), ("folds", Value::Count(folds))];
+    Word::with("perspective", arguments)
 }
 
+/// One piece on either side of the focus.
 fn two_segment(focus_metres: f64, share: f64) -> Word {
-    let arguments = [number("focus", focus_metres), number("share", share), number("horizon", HORIZON_METRES)];
+    let arguments = [
+        number("focus", focus_metres),
+        number("share", share),
+        number("horizon", HORIZON_METRES),
+        ("folds", Value::Count(2)),
+    ];
     Word::with("two_segment", arguments)
 }
 
@@ -79,7 +87,12 @@ pub fn directional(
     };
     let focus = focus_metres;
     let rows = [
-        ("standard", bounded(LightCase::builder("Standard").technique(Word::plain("standard"))), square, reference::STANDARD),
+        (
+            "standard",
+            bounded(LightCase::builder("Standard").technique(Word::plain("standard"))),
+            square,
+            reference::STANDARD,
+        ),
         ("pssm2_log", bounded(splits(2, log())), row(2), reference::SPLIT_2),
         ("pssm2_uniform", bounded(splits(2, uniform())), row(2), reference::general_p95(1305.0)),
         ("pssm3_log", bounded(splits(3, log())), row(3), reference::SPLIT_3),
@@ -87,19 +100,57 @@ pub fn directional(
         ("pssm4_log", bounded(splits(4, log())), square, reference::SPLIT_4),
         ("pssm4_practical", bounded(splits(4, practical)), square, reference::SPLIT_4_PRACTICAL),
         ("pssm4_uniform", bounded(splits(4, uniform())), square, reference::general_p95(923.0)),
-        ("one_plane", one_plane(perspective(focus), Stretch::None), square, reference::ONE_PLANE),
+        ("one_plane", one_plane(perspective(focus, 1), Stretch::None), square, reference::ONE_PLANE),
         ("one_plane_8", one_plane(bands(8), Stretch::None), square, Reference::NONE),
-        ("one_plane_stretched", one_plane(perspective(focus), EXACT), square, reference::ONE_PLANE_STRETCHED),
-        ("one_plane_stretched_long", one_plane(perspective(focus), EXACT), long, reference::ONE_PLANE_STRETCHED_LONG),
-        ("one_plane_log", one_plane(logarithmic(), EXACT), square, reference::ONE_PLANE_LOGARITHMIC),
-        ("one_plane_log_long", one_plane(logarithmic(), EXACT), long, reference::ONE_PLANE_LOGARITHMIC_LONG),
-        ("two_segment_50_long", one_plane(two_segment(focus, 0.5), EXACT), long, reference::general_p95(2.71)),
-        ("two_segment_65_long", one_plane(two_segment(focus, 0.65), EXACT), long, reference::general_p95(3.50)),
-        ("two_segment_80_long", one_plane(two_segment(focus, 0.8), EXACT), long, reference::general_p95(6.06)),
+        (
+            "one_plane_stretched",
+            one_plane(perspective(focus, 1), EXACT),
+            square,
+            reference::ONE_PLANE_STRETCHED,
+        ),
+        (
+            "one_plane_stretched_long",
+            one_plane(perspective(focus, 1), EXACT),
+            long,
+            reference::ONE_PLANE_STRETCHED_LONG,
+        ),
+        ("one_plane_stretched_folded", one_plane(perspective(focus, 4), EXACT), square, Reference::NONE),
+        ("one_plane_log", one_plane(logarithmic(1), EXACT), square, reference::ONE_PLANE_LOGARITHMIC),
+        ("one_plane_log_long", one_plane(logarithmic(1), EXACT), long, reference::ONE_PLANE_LOGARITHMIC_LONG),
+        (
+            "one_plane_log_folded",
+            one_plane(logarithmic(8), EXACT),
+            square,
+            reference::ONE_PLANE_LOGARITHMIC_LONG,
+        ),
+        (
+            "two_segment_50_long",
+            one_plane(two_segment(focus, 0.5), EXACT),
+            long,
+            reference::general_p95(2.71),
+        ),
+        (
+            "two_segment_65_long",
+            one_plane(two_segment(focus, 0.65), EXACT),
+            long,
+            reference::general_p95(3.50),
+        ),
+        (
+            "two_segment_80_long",
+            one_plane(two_segment(focus, 0.8), EXACT),
+            long,
+            reference::general_p95(6.06),
+        ),
         ("four_plane", four_plane(focus, "t"), square, reference::FOUR_PLANE),
         ("four_plane_near", four_plane(near_metres, "t"), square, reference::FOUR_PLANE_NEAR),
         ("four_plane_camera", four_plane(focus, "camera"), square, Reference::NONE),
-        ("face_columns_log", faces().distribution(logarithmic()).stretch(EXACT), square, reference::FACES_LOGARITHMIC),
+        ("face_columns_log", faces().distribution(logarithmic(1)).stretch(EXACT), square, Reference::NONE),
+        (
+            "face_columns_log_folded",
+            faces().distribution(logarithmic(8)).stretch(EXACT),
+            square,
+            reference::FACES_LOGARITHMIC,
+        ),
         ("face_columns_8", faces().distribution(bands(8)), square, reference::FACES_8),
         ("face_columns_16", faces().distribution(bands(16)), square, reference::FACES_16),
     ];
@@ -122,8 +173,8 @@ pub fn omni(configuration: &str, map: (u32, u32), focus_metres: f64) -> Result<L
     let lamp = || LightCase::builder("Lamp").light(LightKind::Omni).map_size_texels(map.0, map.1);
     let plain = |name| lamp().configurations(&[name]);
     let builder = match configuration {
-        "face_columns" => plain("face_columns").distribution(logarithmic()).stretch(EXACT),
-        "one_plane" => plain("one_plane").distribution(perspective(focus_metres)).stretch(EXACT),
+        "face_columns" => plain("face_columns").distribution(logarithmic(1)).stretch(EXACT),
+        "one_plane" => plain("one_plane").distribution(perspective(focus_metres, 1)).stretch(EXACT),
         "four_plane" => plain("four_plane"),
         "eight_plane" => plain("eight_plane"),
         "tetrahedron" => plain("tetrahedron"),

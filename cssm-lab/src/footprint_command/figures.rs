@@ -127,7 +127,8 @@ fn ground(plan: &ShadowPlan, view: &View, far_metres: f64, samples: usize) -> Ve
     let mut footprints = Vec::new();
     for index in 0..side * side {
         let along = |step: usize, size: u32| (step as f64 + 0.5) / side as f64 * f64::from(size);
-        let ray = view.ray_world(along(index % side, view.size_pixels.0), along(index / side, view.size_pixels.1));
+        let ray =
+            view.ray_world(along(index % side, view.size_pixels.0), along(index / side, view.size_pixels.1));
         let depth = -EYE_HEIGHT_METRES / ray.dot(up);
         if !(view.near_metres..far_metres).contains(&depth) {
             continue;

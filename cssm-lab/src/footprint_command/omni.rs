@@ -23,7 +23,8 @@ const fn place(configuration: &'static str, position: [f64; 3], reference_p95: f
 }
 
 /// Lamps in the view, ascending in distance, in which the bipyramid is compared with the cube.
-pub const IN_VIEW: [[f64; 3]; 4] = [[1.0, 1.0, -3.0], [0.0, 1.0, -10.0], [2.0, 2.0, -30.0], [3.0, 4.0, -60.0]];
+pub const IN_VIEW: [[f64; 3]; 4] =
+    [[1.0, 1.0, -3.0], [0.0, 1.0, -10.0], [2.0, 2.0, -30.0], [3.0, 4.0, -60.0]];
 
 /// How many times the cube's footprints are larger than the bipyramid's there, at least.
 pub const LEAST_GAIN: [f64; 4] = [4.9, 12.0, 25.0, 40.0];

@@ -110,11 +110,8 @@ pub const FOUR_PLANE_NEAR: Reference =
     Reference { dueling: [16.4, 1008.0, 3682.0, 18.9, 21.8, 1.0], ..Reference::NONE };
 
 /// Four planes that meet at the focus.
-pub const FOUR_PLANE: Reference = Reference {
-    border: [24.6, NO],
-    dueling: [3.69, 24.4, 73.4, 17.5, 6.8, 1.0],
-    ..Reference::NONE
-};
+pub const FOUR_PLANE: Reference =
+    Reference { border: [24.6, NO], dueling: [3.69, 24.4, 73.4, 17.5, 6.8, 1.0], ..Reference::NONE };
 
 /// Face columns with logarithmic rows.
 pub const FACES_LOGARITHMIC: Reference = Reference {

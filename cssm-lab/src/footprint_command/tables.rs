@@ -6,7 +6,7 @@ use super::grid::Class;
 use super::omni::{IN_VIEW, LEAST_GAIN};
 use super::{OmniRow, Row, medians};
 
-const CASE_LETTERS: usize = 25;
+const CASE_LETTERS: usize = 28;
 const LIGHT_LETTERS: usize = 13;
 
 /// The rows of one case: one line for each light, or medians over each class of lights.
@@ -46,9 +46,8 @@ fn heading() -> String {
 }
 
 fn line(case: &str, light: &str, numbers: [f64; 8]) -> String {
-    let numbers = numbers.map(|number| {
-        if number.is_nan() { format!("{:>10}", "-") } else { format!("{number:>10.2}") }
-    });
+    let numbers = numbers
+        .map(|number| if number.is_nan() { format!("{:>10}", "-") } else { format!("{number:>10.2}") });
     format!("{case:<CASE_LETTERS$}{light:<LIGHT_LETTERS$}{}\n", numbers.concat())
 }
 
@@ -77,7 +76,11 @@ pub(super) fn omni(rows: &[OmniRow]) -> String {
             format!("{x}, {y}, {z}"),
             place.reference_p95,
             p95 / place.reference_p95,
-            if measured.unassigned > 0 { format!("  {} in no facet", measured.unassigned) } else { String::new() }
+            if measured.unassigned > 0 {
+                format!("  {} in no facet", measured.unassigned)
+            } else {
+                String::new()
+            }
         );
     }
     let p95 = |configuration: &str, position: [f64; 3]| {

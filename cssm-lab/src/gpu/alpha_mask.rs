@@ -38,7 +38,9 @@ impl MaskBuffers {
             let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("scene texture coordinates"),
                 size: (uvs.len() as u64).max(u64::from(UV_BYTES)),
-                usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+                usage: wgpu::BufferUsages::VERTEX
+                    | wgpu::BufferUsages::STORAGE
+                    | wgpu::BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             });
             gpu.queue.write_buffer(&buffer, 0, uvs);

@@ -24,7 +24,8 @@ struct Stamps {
 pub type Writes<'a> = wgpu::RenderPassTimestampWrites<'a>;
 
 /// Records one pass.
-pub type RecordPass<'a> = dyn FnMut(&mut wgpu::CommandEncoder, Option<Writes<'_>>) -> Result<(), GpuError> + 'a;
+pub type RecordPass<'a> =
+    dyn FnMut(&mut wgpu::CommandEncoder, Option<Writes<'_>>) -> Result<(), GpuError> + 'a;
 
 /// Milliseconds of one run.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,11 +130,15 @@ impl Stamps {
         let bytes = read_back::mapped_bytes(&gpu.device, &self.readable)?;
         let ticks: Vec<u64> = bytes.as_chunks().0.iter().map(|bytes| u64::from_le_bytes(*bytes)).collect();
         let ticks = ticks.get(..used as usize).unwrap_or_default();
-        let milliseconds =
-            |from: u64, to: u64| to.saturating_sub(from) as f64 * self.milliseconds_per_tick;
+        let milliseconds = |from: u64, to: u64| to.saturating_sub(from) as f64 * self.milliseconds_per_tick;
         let whole = ticks.first().zip(ticks.last());
         Ok(SequenceTimes {
-            passes_milliseconds: ticks.as_chunks().0.iter().map(|[from, to]| milliseconds(*from, *to)).collect(),
+            passes_milliseconds: ticks
+                .as_chunks()
+                .0
+                .iter()
+                .map(|[from, to]| milliseconds(*from, *to))
+                .collect(),
             whole_milliseconds: whole.map_or(0.0, |(from, to)| milliseconds(*from, *to)),
         })
     }

@@ -70,14 +70,14 @@ pub(super) fn around(viewpoint: Viewpoint, places: &Places) -> Vec<Lamp> {
     };
     [
         ("omni-in-view", omni(place(places.in_view))),
-        ("omni-behind", omni(place(places.behind))),
         ("omni-beside", omni(place(places.beside))),
         ("omni-outside", omni(place(places.outside))),
+        ("omni-behind", omni(place(places.behind))),
         ("omni-at-eye", omni(place(places.at_eye))),
         ("omni-at-wall", omni(places.wall_world.into())),
-        ("spot-ahead", spot(places.ahead)),
-        ("spot-aside", spot(places.aside)),
         ("spot-dueling", spot(places.dueling)),
+        ("spot-aside", spot(places.aside)),
+        ("spot-ahead", spot(places.ahead)),
     ]
     .map(|(name, light)| Lamp { name, viewpoint, light })
     .to_vec()

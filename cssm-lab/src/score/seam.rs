@@ -1,4 +1,5 @@
-//! Whether facet boundaries show: edge displacement beside them against elsewhere.
+//! Whether facet boundaries show: edge displacement beside them against elsewhere, and against their surroundings, where
+//! shadows are of the same kind: fine ones are displaced more than coarse ones in any map.
 
 use serde::Serialize;
 
@@ -11,6 +12,9 @@ use super::{PixelFootprint, Place, Verdict};
 /// Edges at most this far from a facet boundary lie in its strip.
 const STRIP_PIXELS: f64 = 2.0;
 
+/// Edges outside the strip and at most this far from a boundary lie in its surroundings.
+const NEARBY_PIXELS: f64 = 16.0;
+
 /// Edge displacement beside facet boundaries and elsewhere, from true edges to the map's, in surface footprints.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Seam {
@@ -18,10 +22,14 @@ pub struct Seam {
     pub strip_edge_pixels: u64,
     /// True edge pixels elsewhere.
     pub elsewhere_edge_pixels: u64,
+    /// True edge pixels in the strip's surroundings, which are a part of elsewhere.
+    pub nearby_edge_pixels: u64,
     /// Mean displacement in the strip; 0 without edges.
     pub strip_mean: f64,
     /// Mean displacement elsewhere; 0 without edges.
     pub elsewhere_mean: f64,
+    /// Mean displacement in the strip's surroundings; 0 without edges.
+    pub nearby_mean: f64,
     /// Displacement in the strip.
     pub strip: Percentiles,
     /// Displacement elsewhere.
@@ -47,13 +55,18 @@ impl Seam {
         boundaries.places().next()?;
         let to_boundary = distance::transform(boundaries);
         let to_map = distance::transform(map_edges);
-        let (mut strip, mut elsewhere) = (Vec::new(), Vec::new());
+        let (mut strip, mut elsewhere, mut nearby) = (Vec::new(), Vec::new(), Vec::new());
         for place in true_edges.places() {
             let Some(footprint) = surface_footprint(footprints, lattice, place) else {
                 continue;
             };
-            let side = if to_boundary[place] <= STRIP_PIXELS { &mut strip } else { &mut elsewhere };
-            side.push(to_map[place] / footprint);
+            let displacement = to_map[place] / footprint;
+            if to_boundary[place] <= STRIP_PIXELS {
+                strip.push(displacement);
+            } else {
+                elsewhere.push(displacement);
+                nearby.extend((to_boundary[place] <= NEARBY_PIXELS).then_some(displacement));
+            }
         }
         let interior_wrong = verdicts.iter().enumerate().filter(|(index, verdict)| {
             verdict
@@ -69,8 +82,10 @@ impl Seam {
         Some(Self {
             strip_edge_pixels,
             elsewhere_edge_pixels,
+            nearby_edge_pixels: nearby.len() as u64,
             strip_mean,
             elsewhere_mean,
+            nearby_mean: mean(&nearby),
             strip,
             elsewhere,
             mean_ratio,

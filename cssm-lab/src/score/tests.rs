@@ -179,6 +179,19 @@ fn grazing_pixels_are_counted_apart() {
 }
 
 #[test]
+fn pixels_beyond_the_lights_reach_are_counted_apart() {
+    let mut frame = plane(|_, _| true);
+    for (index, pixel) in frame.pixels.iter_mut().enumerate() {
+        if let Some(pixel) = pixel.as_mut().filter(|_| index % WIDTH < 20) {
+            (pixel.reached, pixel.lit) = (false, false);
+        }
+    }
+    let score = Map::new(|_, _| true, 1.0).score(&frame);
+    assert_eq!((score.facing_pixels, score.unreached_pixels), (40 * HEIGHT as u64, 20 * HEIGHT as u64));
+    assert_eq!((score.grazing_pixels, score.mismatch, score.true_edge_pixels), (0, 0.0, 0));
+}
+
+#[test]
 fn sky_is_not_judged() {
     let mut frame = plane(|_, _| true);
     frame.pixels.iter_mut().take(WIDTH * 10).for_each(|pixel| *pixel = None);

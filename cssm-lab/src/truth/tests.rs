@@ -63,6 +63,50 @@ fn shadow_lies_where_geometry_says() {
 }
 
 #[test]
+fn shadow_rays_end_at_the_lamp_and_its_reach_is_known() {
+    // A lamp half a metre below the sheet and one half a metre above it.
+    let (tracer, view) = sheet_over_ground(DVec3::ZERO);
+    let trace = |light: Light| Frame::trace(&tracer, &view, &light, &|_| {});
+    let ground = |frame: &Frame| -> Vec<(DVec3, Visible)> {
+        let points = frame.visible().map(|(_, pixel)| (view.eye_world + pixel.position, *pixel));
+        points.filter(|(point, _)| point.y < 0.5).collect()
+    };
+    let below = ground(&trace(Light::omni(DVec3::Y * 0.5, f64::INFINITY).unwrap()));
+    assert!(
+        below.iter().all(|(_, pixel)| pixel.lit && pixel.reached),
+        "a caster beyond a lamp throws no shadow"
+    );
+
+    // From above the sheet hides what lies within three metres of the middle.
+    let above = ground(&trace(Light::omni(DVec3::Y * 1.5, f64::INFINITY).unwrap()));
+    let mut counts = [0, 0];
+    for (point, pixel) in above {
+        let inside = point.x.abs().max(point.z.abs()) - 3.0;
+        if inside.abs() > 1e-6 {
+            assert_eq!(pixel.lit, inside > 0.0, "at {point}");
+            assert!((pixel.light_metres - point.distance(DVec3::Y * 1.5)).abs() < 1e-9);
+            assert!((pixel.cosine - 1.5 / pixel.light_metres).abs() < 1e-9);
+            counts[usize::from(pixel.lit)] += 1;
+        }
+    }
+    assert!(counts.iter().all(|count| *count > 50), "{counts:?}");
+
+    // Beyond range and cone nothing is lit, and nothing faces the light.
+    let near = ground(&trace(Light::omni(DVec3::Y * 0.5, 2.0).unwrap()));
+    let cone = ground(&trace(Light::spot(DVec3::Y * 0.5, DVec3::NEG_Y, 1.0, f64::INFINITY).unwrap()));
+    for (frame, reach) in [(near, 3.75_f64.sqrt()), (cone, 0.5 * 1_f64.tan())] {
+        assert!(frame.iter().any(|(_, pixel)| pixel.reached));
+        for (point, pixel) in frame {
+            let distance = libm::hypot(point.x, point.z);
+            if (distance - reach).abs() > 1e-6 {
+                assert_eq!((pixel.reached, pixel.lit), (distance < reach, distance < reach), "at {point}");
+                assert!(pixel.reached || !pixel.faces_light());
+            }
+        }
+    }
+}
+
+#[test]
 fn both_sides_of_a_sheet_cast_and_are_seen() {
     let mut flipped = quad(1.0);
     flipped.indices = vec![0, 2, 1, 0, 3, 2];

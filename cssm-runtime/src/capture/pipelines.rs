@@ -1,5 +1,6 @@
 //! Capture pipelines: one for each vertex format in use, with and without alpha mask, for each depth order.
 
+use cssm_core::case::Stretch;
 use cssm_core::plan::DepthOrder;
 use cssm_core::table::{CaseTable, GroupContent, ShaderKind};
 
@@ -84,8 +85,7 @@ impl CapturePipelines {
             Some(_) => Some(TestedProgram::new(device, table, tested, facet_layout)?),
             None => None,
         };
-        let mut pipelines =
-            Self { opaque, tested, unclipped_depth, pipelines: Vec::new(), stretched: None };
+        let mut pipelines = Self { opaque, tested, unclipped_depth, pipelines: Vec::new(), stretched: None };
 
         // Create the most common ones now, so that faulty shaders are refused here and not at the first mesh.
         let positions = Attribute { format: wgpu::VertexFormat::Float32x3, stride_bytes: 12 };
@@ -131,7 +131,11 @@ impl CapturePipelines {
             Ok::<_, ServiceError>(PipelineHandle(pipelines.len() as u32 - 1))
         };
         opaque.pipeline = add(&ordinary, unclipped_depth)?;
-        opaque.drawing = Drawing::Both(add(&bent, false)?);
+        let bound_texels = match table.stretch {
+            Stretch::Exact { bound_texels } => bound_texels as f32,
+            Stretch::None | Stretch::Vertex => 0.0,
+        };
+        opaque.drawing = Drawing::Both { fans: add(&bent, false)?, bound_texels };
 
         // Casters with a mask have a fragment stage in any case: one pipeline draws all their triangles.
         let shader = ShaderKind::CaptureBentTested;
@@ -197,8 +201,7 @@ impl CapturePipelines {
                         &tested.ok_or_else(|| incomplete(table, "pass for casters with a mask"))?.program
                     }
                 };
-                let create =
-                    |order| program.pipeline(device, table, Some(key), order, self.unclipped_depth);
+                let create = |order| program.pipeline(device, table, Some(key), order, self.unclipped_depth);
                 let created = checked(device, "a capture pipeline", || ByOrder::new(table, create))?;
                 self.pipelines.push((Some(key), created));
                 self.pipelines.len() - 1

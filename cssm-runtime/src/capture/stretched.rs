@@ -151,12 +151,7 @@ impl Stretched {
                 _ => None,
             })
         })?;
-        Ok(StretchedMesh {
-            group,
-            number: layout.group,
-            pipeline: layout.pipeline,
-            drawing: layout.drawing,
-        })
+        Ok(StretchedMesh { group, number: layout.group, pipeline: layout.pipeline, drawing: layout.drawing })
     }
 }
 

@@ -3,13 +3,11 @@
 use std::ops::Range;
 
 use cssm_core::facet::Facet;
-use cssm_core::remap::Curve;
 
+use super::bending::Bending;
 use super::casters::{Casters, Group};
 use super::ranges::{Parts, merge};
-use super::{
-    Command, Drawing, FAN_TRIANGLES, FacetHandle, FacetStatistics, FrameCommands, PipelineHandle,
-};
+use super::{Command, Drawing, FAN_TRIANGLES, FacetHandle, FacetStatistics, FrameCommands, PipelineHandle};
 use crate::clusters::Cluster;
 use crate::cull::{CentredBox, HalfSpace, Side};
 use crate::error::ServiceError;
@@ -28,6 +26,8 @@ pub(super) struct FacetDraws<'c, 'a, 'm> {
     near: Vec<HalfSpace>,
     /// Those that cut through an instance's box, in the instance's own space.
     cutting: Vec<HalfSpace>,
+    /// Instances drawn whole.
+    whole: Vec<u32>,
     /// Instances drawn in part, each with a range of `ranges`.
     parts: Vec<(u32, Range<usize>)>,
     ranges: Vec<Range<u32>>,
@@ -51,6 +51,7 @@ impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
             planes: Vec::new(),
             near: Vec::new(),
             cutting: Vec::new(),
+            whole: Vec::new(),
             parts: Vec::new(),
             ranges: Vec::new(),
         }
@@ -77,13 +78,15 @@ impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
                 self.frame.commands.push(Command::Facet { facet: handle, tile: facet.tile });
             }
             self.bind(group);
-            self.draw(group, whole, bends(facet), &mut counts)?;
+            let plain = self.draw(group, whole.clone(), &mut counts)?;
+            self.draw_fans(group, facet, whole, plain, &mut counts);
         }
         Ok(counts)
     }
 
     /// Appends the rows of the group's instances that are drawn whole, and lists in `parts` what is drawn of the others.
     fn gather(&mut self, group: &Group) {
+        self.whole.clear();
         self.parts.clear();
         self.ranges.clear();
         let casters = self.casters;
@@ -116,7 +119,10 @@ impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
             }
         };
         match parts {
-            Parts::Whole => self.frame.rows.extend(self.casters.rows(number)),
+            Parts::Whole => {
+                self.frame.rows.extend(self.casters.rows(number));
+                self.whole.push(number);
+            }
             Parts::Ranges(ranges) if ranges.is_empty() => {}
             Parts::Ranges(ranges) => self.parts.push((number, ranges)),
         }
@@ -167,9 +173,8 @@ impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
         &mut self,
         group: &Group,
         whole: Range<usize>,
-        bends: bool,
         counts: &mut FacetStatistics,
-    ) -> Result<(), ServiceError> {
+    ) -> Result<Range<usize>, ServiceError> {
         let indexed = group.facts.indexed;
         let FrameCommands { commands, rows } = &mut self.frame;
         let total = rows.len() + self.parts.len();
@@ -192,38 +197,87 @@ impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
             }
         }
 
-        // Draw fans of the same triangles, beside them or in their place.
         let plain = start..commands.len();
-        match group.facts.drawing {
-            Drawing::Both(fans) if bends => {
-                commands.push(Command::Pipeline(fans));
-                for command in plain.clone() {
-                    commands.extend(fan_draw(&commands[command]));
-                }
-                counts.draws += plain.len() as u32;
-                self.bound = Some((fans, group.mesh));
-            }
-            Drawing::Plain | Drawing::Both(_) => {}
+        counts.draws += plain.len() as u32;
+        Ok(plain)
+    }
+
+    /// Draws fans for the triangles of `plain` draws: in their place, or beside them where bent rows bend too far.
+    fn draw_fans(
+        &mut self,
+        group: &Group,
+        facet: &Facet,
+        whole: Range<usize>,
+        plain: Range<usize>,
+        counts: &mut FacetStatistics,
+    ) {
+        let (fans, bound_texels) = match group.facts.drawing {
+            Drawing::Plain => return,
             Drawing::Fans => {
-                for command in &mut commands[plain.clone()] {
+                for command in &mut self.frame.commands[plain] {
                     if let Some(fan) = fan_draw(command) {
                         *command = fan;
                     }
                 }
+                return;
+            }
+            Drawing::Both { fans, bound_texels } => (fans, bound_texels),
+        };
+        let Some(bending) = Bending::new(facet, bound_texels) else { return };
+
+        // Rows of instances drawn whole come first, those drawn in part after them.
+        let everything = 0..group.facts.corners;
+        let everything = std::slice::from_ref(&everything);
+        let first_part = whole.end;
+        let wholes = self.whole.iter().zip(whole).map(|(number, row)| (*number, row, everything));
+        let parts = self.parts.iter().zip(first_part..);
+        let parts = parts.map(|((number, ranges), row)| (*number, row, &self.ranges[ranges.clone()]));
+        let mut draws: Vec<(Range<u32>, Range<u32>)> = Vec::new();
+        for (number, row, ranges) in wholes.chain(parts) {
+            let bending = bending.in_object(&self.casters.eye_from_object(number));
+            if bending.spares(&group.bounds_object) {
+                continue;
+            }
+            // The plain draws have numbered this row.
+            let row = row as u32;
+            for corners in bent_ranges(&bending, group.facts.clusters, ranges) {
+                match draws.last_mut() {
+                    Some((same, rows)) if *same == corners && rows.end == row => rows.end = row + 1,
+                    _ => draws.push((corners, row..row + 1)),
+                }
             }
         }
-        counts.draws += plain.len() as u32;
-        Ok(())
+        if draws.is_empty() {
+            return;
+        }
+        counts.draws += draws.len() as u32;
+        self.frame.commands.push(Command::Pipeline(fans));
+        self.bound = Some((fans, group.mesh));
+        let plain = draws.into_iter().map(|(corners, instances)| Command::Draw {
+            first: corners.start,
+            count: corners.end.saturating_sub(corners.start),
+            indexed: false,
+            instances,
+        });
+        self.frame.commands.extend(plain.filter_map(|draw| fan_draw(&draw)));
     }
 }
 
-/// Whether a facet bends rows, so that straight edges may miss bent ones.
-fn bends(facet: &Facet) -> bool {
-    match facet.rows.remap.curve {
-        Curve::Straight => false,
-        Curve::Perspective { push_back_metres } => push_back_metres as f32 != 0.0,
-        Curve::Logarithmic { .. } => true,
+/// The parts of ranges whose triangles may bend too far, so far as clusters tell them apart.
+fn bent_ranges(bending: &Bending, clusters: &[Cluster], ranges: &[Range<u32>]) -> Vec<Range<u32>> {
+    if clusters.len() < 2 {
+        return ranges.to_vec();
     }
+    let mut bent = Vec::new();
+    for range in ranges {
+        let reaches = |cluster: &Cluster| {
+            range.contains(&cluster.first) && !bending.spares(&CentredBox::new(&cluster.bounds_object))
+        };
+        if let Parts::Whole = merge(clusters, false, reaches, &mut bent) {
+            bent.push(range.clone());
+        }
+    }
+    bent
 }
 
 /// The draw of the fans of a draw's triangles; [`crate::mesh`] refuses meshes whose fans could not be numbered.

@@ -103,12 +103,15 @@ impl Geometry {
             self.positions.iter().flatten().flat_map(|value| value.to_le_bytes()).collect();
         let indices: Vec<u8> = self.indices.iter().flat_map(|value| value.to_le_bytes()).collect();
         GeometryBuffers {
-            vertices: buffer(gpu, &positions, wgpu::BufferUsages::VERTEX),
-            indices: buffer(gpu, &indices, wgpu::BufferUsages::INDEX),
+            vertices: buffer(gpu, &positions, VERTICES),
+            indices: buffer(gpu, &indices, wgpu::BufferUsages::INDEX | wgpu::BufferUsages::STORAGE),
             bounds: self.bounds(),
         }
     }
 }
+
+/// Usages of buffers with vertices: pipelines fetch from them, or shaders.
+pub const VERTICES: wgpu::BufferUsages = wgpu::BufferUsages::VERTEX.union(wgpu::BufferUsages::STORAGE);
 
 impl GeometryBuffers {
     /// The mesh as the service takes it.

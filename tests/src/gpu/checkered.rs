@@ -2,7 +2,7 @@
 
 use cssm_runtime::{AlphaMask, MeshDescription, wgpu};
 
-use super::casters::{Geometry, GeometryBuffers, buffer};
+use super::casters::{Geometry, GeometryBuffers, VERTICES, buffer};
 use super::device::TestDevice;
 use super::images;
 
@@ -84,7 +84,7 @@ impl CheckeredQuad {
                 vertices.flat_map(vertex).collect()
             }
         };
-        let uvs = buffer(gpu, &bytes, wgpu::BufferUsages::VERTEX);
+        let uvs = buffer(gpu, &bytes, VERTICES);
         if layout == UvLayout::Interleaved {
             geometry.vertices = uvs.clone();
         }

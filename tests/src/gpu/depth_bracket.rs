@@ -45,7 +45,10 @@ impl DepthBracket {
                 let mut facet = facet.clone();
                 facet.rows.x += facet.rows.w * step(tile.width, x);
                 if facet.rows.remap.is_none() {
-                    facet.rows.y += facet.rows.w * step(tile.height, y);
+                    match facet.rows.remap.is_none() {
+                    true => facet.rows.y += facet.rows.w * step(tile.height, y),
+                    false => facet.rows.remap.shift += step(tile.height, y),
+                }
                 } else {
                     facet.rows.remap.shift += step(tile.height, y);
                 }
@@ -80,6 +83,11 @@ impl DepthBracket {
     /// Whether a texel's depth is the same, up to the accuracy of drivers, within 1/64 texel.
     pub fn is_sure(&self, texel: usize) -> bool {
         self.high.depths[texel] - self.low.depths[texel] <= DEPTH_TOLERANCE
+    }
+
+    /// Smallest and largest depth of a texel.
+    pub fn limits(&self, texel: usize) -> (f64, f64) {
+        (self.low.depths[texel], self.high.depths[texel])
     }
 
     /// Number of texels outside.

@@ -28,7 +28,7 @@ pub fn exclusive() -> MutexGuard<'static, TestDevice> {
 }
 
 /// A new device with those of the service's useful features that `wanted` holds, and the lowest limits that every
-/// test case needs.
+/// test case needs, storage buffers as far as the adapter has them.
 ///
 /// # Panics
 /// When there is no Vulkan adapter or it refuses the device.
@@ -38,6 +38,13 @@ pub fn new_device(wanted: wgpu::Features) -> TestDevice {
     let instance = wgpu::Instance::new(descriptor);
     let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
         .expect("the GPU tests need a Vulkan adapter; install mesa-vulkan-drivers and libvulkan1");
+    let offered = adapter.limits();
+    let required_limits = wgpu::Limits {
+        // Exact stretching fetches vertices from storage buffers.
+        max_storage_buffers_per_shader_stage: offered.max_storage_buffers_per_shader_stage.min(4),
+        max_storage_buffer_binding_size: offered.max_storage_buffer_binding_size.min(1 << 27),
+        ..wgpu::Limits::downlevel_webgl2_defaults()
+    };
     let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
         label: Some("cssm tests"),
         required_features: adapter.features()
@@ -45,7 +52,7 @@ pub fn new_device(wanted: wgpu::Features) -> TestDevice {
             & (wgpu::Features::DEPTH_CLIP_CONTROL
                 | wgpu::Features::CLIP_DISTANCES
                 | wgpu::Features::TIMESTAMP_QUERY),
-        required_limits: wgpu::Limits::downlevel_webgl2_defaults(),
+        required_limits,
         ..Default::default()
     }))
     .expect("the adapter refused a device with the lowest limits");

@@ -64,6 +64,18 @@ impl<'a> Stage<'a> {
         self.map()
     }
 
+    /// The map that the device captures of one place of the yard.
+    ///
+    /// # Panics
+    /// When the plan belongs to another case or there is no such place.
+    pub fn capture_place(&mut self, plan: &ShadowPlan, view: &View, place: usize) -> DepthMap {
+        let all = std::mem::take(&mut self.casters);
+        self.casters = vec![all[place]];
+        let map = self.capture(plan, view);
+        self.casters = all;
+        map
+    }
+
     /// Captures and resolves in one submission.
     ///
     /// # Panics

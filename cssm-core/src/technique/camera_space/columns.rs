@@ -10,9 +10,9 @@ use crate::remap::Curve;
 use crate::technique::{FacetDraft, Region, Situation, TileRequest};
 
 /// Slant up to which pieces ask for the footprint of the others.
-const STEEPEST_SLANT: f64 = 30.0;
+const STEEPEST_SLANT: f64 = 20.0;
 /// The same where a piece reaches infinity.
-const STEEPEST_TO_INFINITY: f64 = 10.0;
+const STEEPEST_TO_INFINITY: f64 = 5.0;
 /// Largest footprint that a piece asks for, in footprints of the others.
 const COARSEST: f64 = 100.0;
 
@@ -31,6 +31,8 @@ pub(super) struct Column {
     pub(super) unit: DVec4,
     /// How far lines of equal place across lean, see [`DistanceRange::slant`].
     pub(super) slant: f64,
+    /// The part of it that all lines share, see [`DistanceRange::shared_slant`].
+    pub(super) shared_slant: f64,
     /// Half-spaces that part it from its neighbours.
     pub(super) sides: Vec<DVec4>,
     /// Its receivers.
@@ -79,12 +81,17 @@ pub(super) fn split(column: &Column, pieces: &[Piece]) -> Vec<FacetDraft> {
     pieces.iter().enumerate().map(facet).collect()
 }
 
-/// What a piece asks for. A push-back raises leaning lines no more than the near end can pay for, and not at infinity:
+/// What a piece asks for: a finer footprint where its weight says so, one that grows beyond a focus. A push-back raises leaning lines no more than the near end can pay for, and not at infinity:
 /// beyond a slant texels grow, so that the column vanishes from the map as its region vanishes from the light's view.
 fn request(column: &Column, piece: &Piece) -> TileRequest {
     let steepest = if piece.farthest_metres.is_finite() { STEEPEST_SLANT } else { STEEPEST_TO_INFINITY };
-    let times = column.slant / steepest;
-    if times > 1.0 { TileRequest::Coarser(times.sqrt().min(COARSEST)) } else { TileRequest::Footprint }
+    let slanted = (column.slant / steepest).sqrt().clamp(1.0, COARSEST);
+    let (times, focus_metres) = (slanted / piece.weight, piece.focus_metres);
+    if times == 1.0 && focus_metres.is_infinite() {
+        TileRequest::Footprint
+    } else {
+        TileRequest::Coarser { times, focus_metres }
+    }
 }
 
 /// The distances of a column's receivers, for rows that are not bent.
@@ -102,6 +109,7 @@ pub(super) fn range(column: &Column, situation: &Situation<'_>) -> DistanceRange
         farthest_metres: farthest,
         core_metres: (depth_near - nearest).max(0.0),
         slant: column.slant,
+        shared_slant: column.shared_slant,
         unlit_near_metres: unlit.then_some(view_near),
         eye_height_metres: situation.eye_height_metres,
         bends: false,

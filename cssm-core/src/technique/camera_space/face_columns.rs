@@ -33,8 +33,9 @@ use crate::technique::{ConfigurationSpec, Draft, Situation};
 const SECTORS: u32 = 4;
 /// Least share of the depth that the distance is along the edge that the light sees shorter.
 const LEAST_TURNED: f64 = 0.1;
-/// Squared sine of the angle between a face's edges below which a cut may turn farther: slivers are cut across.
-const SLIVER: f64 = 0.04;
+/// Sines of the angle between a face's edges: below the first a cut may turn all the way, from the second on as far as
+/// [`LEAST_TURNED`].
+const SLIVER: (f64, f64) = (0.25, 0.65);
 
 pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     choice: Choice::plain("face_columns", "a column on each frustum side face that rays enter first"),
@@ -94,6 +95,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
                 across: unrolled.across,
                 distance: unrolled.distance,
                 slant: unrolled.slant,
+                shared_slant: unrolled.shared_slant,
                 unit: face.unit,
                 receivers: situation.receivers.cut_by(&sides),
                 sides,
@@ -125,12 +127,14 @@ struct Unrolled {
     distance: DVec4,
     /// The farther end of the cut from the apex' foot on it, over the apex' height.
     slant: f64,
+    /// The nearer end, over the farther where both lie on one side.
+    shared_slant: f64,
 }
 
 impl Unrolled {
     /// Cuts at equal depths.
     fn plain(face: &SideFace) -> Self {
-        Self { across: face.t - face.s, distance: face.s + face.t, slant: 0.0 }
+        Self { across: face.t - face.s, distance: face.s + face.t, slant: 0.0, shared_slant: 0.0 }
     }
 
     /// Cuts that need no more texels than the face has area, for a directional light.
@@ -142,7 +146,7 @@ impl Unrolled {
 
         // Turn the cut until it meets the shorter edge at no more than a right angle, or as far as it may.
         let sine_squared = (1.0 - pq * pq / (pp * qq)).max(0.0);
-        let least = LEAST_TURNED * (sine_squared / SLIVER).min(1.0);
+        let least = LEAST_TURNED * ((sine_squared.sqrt() - SLIVER.0) / (SLIVER.1 - SLIVER.0)).clamp(0.0, 1.0);
         let turned = |square: f64| (square / pq.max(square)).max(least);
         let (a, b) = (turned(pp), turned(qq));
         let (s, t) = (face.s * a, face.t * b);
@@ -154,6 +158,7 @@ impl Unrolled {
         let area = (pp * qq - pq * pq).max(0.0).sqrt();
         let farther = p.abs().max(q.abs()) * length_squared;
         let slant = if area > 0.0 { farther / area } else { f64::MAX };
-        Self { across: s * p + t * q, distance: s + t, slant }
+        let (near, far) = if p.abs() < q.abs() { (p, q) } else { (q, p) };
+        Self { across: s * p + t * q, distance: s + t, slant, shared_slant: (near / far).max(0.0) }
     }
 }

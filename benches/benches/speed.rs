@@ -1,7 +1,7 @@
 //! Passes on the device and work on the CPU, in turns, with the paper's numbers beside ours.
 //!
 //! `cargo bench -p cssm-benches --bench speed -- --write` writes `docs/speed.md`. Run as a test, it does the same with a
-//! tiny image and tiny maps, and throws the numbers away.
+//! tiny image, small maps and few contenders, and throws the numbers away.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -24,7 +24,7 @@ const REPORT: &str = "../docs/speed.md";
 #[derive(Debug, Parser)]
 struct Arguments {
     /// Turns after warm-up
-    #[arg(long, default_value_t = 31)]
+    #[arg(long, default_value_t = 15)]
     runs: usize,
     /// Sides of the maps in texels; without it, the paper's
     #[arg(long, value_delimiter = ',', default_values_t = paper::MAP_SIDES_TEXELS)]
@@ -54,8 +54,9 @@ fn full() -> Result<(), BenchError> {
     let extent = Extent {
         image_pixels: IMAGE_PIXELS,
         map_sides_texels: &maps,
+        contenders: usize::MAX,
         runs,
-        warm_up_runs: 3,
+        warm_up_runs: 2,
         progress: Progress::Shown,
     };
     let (measured, cpu) = measure_all(&extent, &[Scene::palm(), Scene::city()])?;
@@ -78,6 +79,7 @@ fn tiny() -> Result<(), BenchError> {
     let extent = Extent {
         image_pixels: (64, 64),
         map_sides_texels: &[320],
+        contenders: 3,
         runs: 1,
         warm_up_runs: 0,
         progress: Progress::Hidden,
@@ -89,10 +91,7 @@ fn tiny() -> Result<(), BenchError> {
 }
 
 /// Measures passes on palm, planning on palm, and command building on every scene.
-fn measure_all(
-    extent: &Extent<'_>,
-    scenes: &[Scene],
-) -> Result<(Measurement, Vec<CpuTimes>), BenchError> {
+fn measure_all(extent: &Extent<'_>, scenes: &[Scene]) -> Result<(Measurement, Vec<CpuTimes>), BenchError> {
     let palm = Scene::palm();
     let jobs = plan_jobs(&palm)?;
     let mut cases = opened_for(&palm, extent)?;
@@ -101,11 +100,11 @@ fn measure_all(
     let measured = measure(&gpu, &palm, extent)?;
 
     let runs = (extent.warm_up_runs, extent.runs);
-    let plans = time_in_turns("Planning a frame", &jobs, |job| &job.name, PlanJob::run, runs)?;
+    let plans = time_in_turns("Planning a frame".to_owned(), &jobs, |job| &job.name, PlanJob::run, runs)?;
     let mut cpu = vec![plans];
     for scene in scenes {
         let jobs = command_jobs(&gpu, scene)?;
-        let heading = "Building a capture's commands";
+        let heading = format!("Building a capture's commands, {}", scene.name);
         cpu.push(time_in_turns(heading, &jobs, |job| &job.name, CommandJob::run, runs)?);
     }
     Ok((measured, cpu))

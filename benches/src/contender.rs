@@ -15,14 +15,18 @@ use crate::view_passes::{LIT_FORMAT, ViewPasses};
 /// The declarations that are timed.
 const CASES: &str = include_str!("../speed.cssm");
 
+/// Ends the name of a contender whose depth comes from a fragment shader, even where the device can do without one.
+pub const IN_FRAGMENTS: &str = "InFragments";
+
 /// Passes of a frame with a light: see, capture, resolve, shade.
 pub const PASSES: u32 = 4;
 
-/// A case of `speed.cssm` with a square map.
+/// The case of a contender, with a square map.
 ///
 /// # Errors
 /// When there is none of that name, or the size is out of range.
 pub fn case(name: &str, map_side_texels: u32) -> Result<LightCase, BenchError> {
+    let name = name.strip_suffix(IN_FRAGMENTS).unwrap_or(name);
     let case = pick_case(Path::new("speed.cssm"), CASES, Some(name))?;
     Ok(with_map_size(case, (map_side_texels, map_side_texels))?)
 }
@@ -30,7 +34,7 @@ pub fn case(name: &str, map_side_texels: u32) -> Result<LightCase, BenchError> {
 /// A case with its plan, its shaders and its casters on the device.
 #[derive(Debug)]
 pub struct Contender {
-    /// The case's name.
+    /// The case's name, and how its depth is written.
     pub name: &'static str,
     /// The plan of the situation.
     pub plan: ShadowPlan,
@@ -74,7 +78,11 @@ impl Contender {
         let case = case(name, map_side_texels)?;
         let plan = plan(&case, &situation.view, &situation.light, &situation.bounds)?;
         let table = cssm_codegen::generate(&case)?.table;
-        let options = Options { mask_format: LIT_FORMAT, ..Options::default() };
+        let options = Options {
+            mask_format: LIT_FORMAT,
+            clamp_in_fragments: name.ends_with(IN_FRAGMENTS),
+            ..Options::default()
+        };
         let mut service = ShadowService::new(&gpu.device, &gpu.queue, &table, &options)?;
         let casters = buffers.add_to(&mut service, scene)?;
         let prepared = service.prepare(&plan, &situation.view, &casters)?;

@@ -16,7 +16,7 @@ const COMMAND: &str = "cargo bench -p cssm-benches --bench speed -- --write";
 #[derive(Debug, Clone, PartialEq)]
 pub struct CpuTimes {
     /// What is timed.
-    pub heading: &'static str,
+    pub heading: String,
     /// Name, microseconds and ratio of each job.
     pub jobs: Vec<(String, Interval, Interval)>,
 }
@@ -38,30 +38,29 @@ fn words(case: &str) -> &'static str {
     match case {
         "Standard" => "standard",
         "Unstretched" => "one plane, perspective, unstretched",
+        "UnstretchedInFragments" => "one plane, perspective, unstretched, depth from a fragment shader",
         "Stretched" => "one plane, perspective, stretched exactly",
         "Logarithmic" => "one plane, logarithmic, stretched exactly",
         "Bands" => "one plane, 8 bands",
         "FourPlane" => "four planes",
         "FaceColumns" => "face columns, 8 bands",
-        "FaceColumnsLogarithmic" => "face columns, logarithmic, stretched exactly",
         _ => "a case without words",
     }
 }
 
-fn ratios() -> [Ratio; 9] {
+fn ratios() -> [Ratio; 8] {
     let ratio = |situation, name, reference| Ratio { situation, name, reference, reach: None, paper: None };
     let stretched = ("paper: stretched / standard", paper::STRETCHED.ratio(&paper::STANDARD));
     let dueling = ("paper: dueling / standard of the other view", paper::DUELING.ratio(&paper::STANDARD));
     [
         Ratio { reach: Some(1.5), paper: Some(stretched), ..ratio(0, "Stretched", "Unstretched") },
+        ratio(0, "Stretched", "UnstretchedInFragments"),
         Ratio { reach: Some(1.5), ..ratio(0, "Logarithmic", "Unstretched") },
         Ratio { reach: Some(1.15), ..ratio(0, "Bands", "Unstretched") },
         ratio(0, "Unstretched", "Standard"),
         ratio(0, "FaceColumns", "Standard"),
-        ratio(0, "FaceColumnsLogarithmic", "FaceColumns"),
         Ratio { reach: Some(1.1), paper: Some(dueling), ..ratio(1, "FourPlane", "Standard") },
         ratio(1, "FaceColumns", "Standard"),
-        ratio(1, "FaceColumnsLogarithmic", "FaceColumns"),
     ]
 }
 
@@ -76,6 +75,7 @@ pub fn markdown(measured: &Measurement, cpu: &[CpuTimes]) -> String {
     parts.push(ratio_table(measured, FrameTimes::shadows, true));
     parts.push("### Capture alone\n".to_owned());
     parts.push(ratio_table(measured, |times| times.capture, false));
+    parts.push(fixed_share(measured));
     parts.push("### Resolve alone\n".to_owned());
     parts.push(ratio_table(measured, |times| times.resolve, false));
     parts.push(format!(
@@ -100,7 +100,9 @@ pub fn markdown(measured: &Measurement, cpu: &[CpuTimes]) -> String {
     parts.push(paper_table(measured, None, increase, |column| column.increase().map(|share| 100.0 * share)));
     parts.push("## Milliseconds of capture / resolve, medians\n".to_owned());
     parts.push(milliseconds_table(measured));
-    parts.push("## What was drawn\n\nCounts do not depend on the machine; here at the largest map.\n".to_owned());
+    parts.push(
+        "## What was drawn\n\nCounts do not depend on the machine; here at the largest map.\n".to_owned(),
+    );
     parts.push(count_table(measured));
     for times in cpu {
         parts.push(cpu_table(times));
@@ -111,11 +113,11 @@ pub fn markdown(measured: &Measurement, cpu: &[CpuTimes]) -> String {
 fn introduction(measured: &Measurement) -> String {
     let Measurement { adapter, method, runs, triangles, image_pixels: (width, height), .. } = measured;
     let software = if measured.software {
-        "\nThis adapter is a program that runs on the CPU. Fragments that write depth alone take a path of their own in \
-         it that is far faster than any other, and what a GPU does in fixed function (coverage, depth, clears) costs it \
-         as much as shaders do. Ratios between contenders that all draw depth without a fragment shader hold in kind; \
-         ratios of exact stretching, which decides coverage in a fragment shader, and the balance between capture, \
-         resolve and the view's own passes are not a GPU's.\n"
+        "\nThis adapter is a program that runs on the CPU. Depth that no fragment shader writes takes a path of its own in it \
+         that is far faster than any other, and what a GPU does in fixed function (coverage, depth, clears) costs it as \
+         much as shaders do. Exact stretching decides coverage in a fragment shader: the contender *depth from a fragment \
+         shader* draws straight rows by the slower path too, so that the fast one can be told apart. The balance between \
+         capture, resolve and the view's own passes is not a GPU's either.\n"
     } else {
         ""
     };
@@ -128,19 +130,21 @@ fn introduction(measured: &Measurement) -> String {
          colours), captures a map, resolves it to a mask with a 2 x 2 gather and an exact receiver plane, and shades. The \
          declarations are in `benches/speed.cssm`.\n\n\
          Adapter: {adapter}. Times by {method}. All contenders of a map size run in turns; the median of {runs} turns \
-         after warm-up, in brackets what four fifths of them lie in. Compare ratios, not milliseconds.\n{software}"
+         after warm-up, in brackets what four fifths of them lie in: \
+         wide brackets mean that the machine did other work too. Compare ratios, not milliseconds.\n{software}"
     )
 }
 
 /// Ratios of every map size.
 fn ratio_table(measured: &Measurement, of: fn(&FrameTimes) -> f64, with_paper: bool) -> String {
     let sides = sides(measured);
-    let mut table = Table::new(["contenders", "reach"].map(str::to_owned).into_iter().chain(headings(&sides)));
+    let mut table =
+        Table::new(["contenders", "reach"].map(str::to_owned).into_iter().chain(headings(&sides)));
     for ratio in ratios() {
         let Some(situation) = measured.situations.get(ratio.situation) else { continue };
         let name = format!("{} / {}", words(ratio.name), words(ratio.reference));
         let sun = if ratio.situation == 0 { "" } else { " (sun in the image)" };
-        let reach = ratio.reach.map_or(String::new(), |reach| format!("<= {reach}"));
+        let reach = ratio.reach.filter(|_| with_paper).map_or(String::new(), |reach| format!("<= {reach}"));
         let cells = situation.maps.iter().map(|map| {
             map.ratio(ratio.name, ratio.reference, of).map_or(String::new(), |ratio| with_interval(&ratio, 2))
         });
@@ -151,6 +155,29 @@ fn ratio_table(measured: &Measurement, of: fn(&FrameTimes) -> f64, with_paper: b
         }
     }
     table.markdown()
+}
+
+/// How much of the captures of the largest map is spent at the smallest one too: work on triangles, not on texels.
+fn fixed_share(measured: &Measurement) -> String {
+    let Some(maps) = measured.situations.first().map(|situation| &situation.maps) else {
+        return String::new();
+    };
+    let share = |name| {
+        let median = |map: Option<&MapTimes>| {
+            let frames = &map?.contender(name)?.frames;
+            Some(Interval::of(frames.iter().map(|times| times.capture).collect()).median)
+        };
+        Some(format!("{:.0} % ({})", 100.0 * median(maps.first())? / median(maps.last())?, words(name)))
+    };
+    let shares: Vec<String> = ["Standard", "Unstretched", "Bands", "Stretched", "Logarithmic"]
+        .into_iter()
+        .filter_map(share)
+        .collect();
+    format!(
+        "Of the capture with the largest map the smallest one takes {}: what does not shrink with the map is work on \
+         triangles, which for exact stretching is a covering polygon for each of them in a vertex shader.\n",
+        shares.join(", ")
+    )
 }
 
 /// One of the paper's tables: a row for each contender, the paper's below it.
@@ -169,7 +196,8 @@ fn paper_table(
     for (number, situation) in measured.situations.iter().enumerate() {
         table.row(std::iter::once(format!("**{}**", situation.name)));
         if let Some(without_light) = &without_light {
-            let cells = situation.maps.iter().map(|map| with_interval(&without_light(map, &map.without_light), 1));
+            let cells =
+                situation.maps.iter().map(|map| with_interval(&without_light(map, &map.without_light), 1));
             table.row(std::iter::once("no light".to_owned()).chain(cells));
             let column = if number == 0 { &paper::STANDARD } else { &paper::DUELING };
             let cells = sides.iter().map(|side| of_paper(*side, &[column.without_light; 5], 0));
@@ -230,7 +258,8 @@ fn cpu_table(cpu: &CpuTimes) -> String {
     for (name, microseconds, ratio) in &cpu.jobs {
         table.row([name.clone(), with_interval(microseconds, 0), with_interval(ratio, 2)]);
     }
-    format!("## {}\n\n{}", cpu.heading, table.markdown())
+    let how = "Fastest of five calls in each turn, in microseconds on this machine's CPU.";
+    format!("## {}\n\n{how}\n\n{}", cpu.heading, table.markdown())
 }
 
 /// Runs per second from milliseconds.

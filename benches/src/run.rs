@@ -18,6 +18,8 @@ pub struct Extent<'a> {
     pub image_pixels: (u32, u32),
     /// Sides of the maps in texels.
     pub map_sides_texels: &'a [u32],
+    /// Contenders of each situation, at most.
+    pub contenders: usize,
     /// Turns that count.
     pub runs: usize,
     /// Turns that do not count.
@@ -118,9 +120,11 @@ pub fn measure(gpu: &Gpu, scene: &Scene, extent: &Extent<'_>) -> Result<Measurem
             situation.light.toward_world(situation.view.eye_world),
         )?;
         let maps = extent.map_sides_texels.iter().map(|side| {
-            let contenders = situation.cases.iter().map(|name| {
-                Contender::new(gpu, scene, &buffers, &situation, name, *side)
-            });
+            let contenders = situation
+                .cases
+                .iter()
+                .take(extent.contenders)
+                .map(|name| Contender::new(gpu, scene, &buffers, &situation, name, *side));
             let contenders = contenders.collect::<Result<Vec<_>, _>>()?;
             take_turns(gpu, &stopwatch, &passes, &contenders, *side, &situation, extent)
         });
@@ -141,13 +145,10 @@ pub fn measure(gpu: &Gpu, scene: &Scene, extent: &Extent<'_>) -> Result<Measurem
 ///
 /// # Errors
 /// When a size is out of range.
-pub fn opened_for(
-    scene: &Scene,
-    extent: &Extent<'_>,
-) -> Result<Vec<LightCase>, BenchError> {
+pub fn opened_for(scene: &Scene, extent: &Extent<'_>) -> Result<Vec<LightCase>, BenchError> {
     let mut cases = Vec::new();
     for situation in situations(scene, extent.image_pixels)? {
-        for name in situation.cases {
+        for name in situation.cases.iter().take(extent.contenders) {
             for side in extent.map_sides_texels {
                 cases.push(case(name, *side)?);
             }

@@ -24,7 +24,8 @@ pub struct Situation {
     pub light: Light,
     /// What planning is told of the scene.
     pub bounds: SceneBounds,
-    /// Cases of `speed.cssm` that are timed here.
+    /// Cases of `speed.cssm` that are timed here; after [`IN_FRAGMENTS`](crate::contender::IN_FRAGMENTS) their depth comes
+    /// from a fragment shader.
     pub cases: &'static [&'static str],
 }
 
@@ -46,12 +47,12 @@ pub fn situations(scene: &Scene, size_pixels: (u32, u32)) -> Result<[Situation; 
         "Standard",
         "Unstretched",
         "Stretched",
+        "UnstretchedInFragments",
         "Logarithmic",
         "Bands",
         "FaceColumns",
-        "FaceColumnsLogarithmic",
     ];
-    let dueling_cases: &[_] = &["Standard", "FourPlane", "FaceColumns", "FaceColumnsLogarithmic"];
+    let dueling_cases: &[_] = &["Standard", "FourPlane", "FaceColumns"];
     let situation = |name, viewpoint: &Viewpoint, cases| -> Result<_, LabError> {
         let (view, light) = viewpoint.pictured(size_pixels)?;
         Ok(Situation { name, view, light, bounds, cases })

@@ -19,6 +19,7 @@ fn masks_of_timed_frames_agree_with_ray_casting() {
     let extent = Extent {
         image_pixels: IMAGE_PIXELS,
         map_sides_texels: &[MAP_SIDE_TEXELS],
+        contenders: usize::MAX,
         runs: 1,
         warm_up_runs: 0,
         progress: Progress::Hidden,
@@ -37,7 +38,10 @@ fn masks_of_timed_frames_agree_with_ray_casting() {
             let contender =
                 Contender::new(&gpu, &scene, &buffers, &situation, name, MAP_SIDE_TEXELS).unwrap();
             let times = contender.time(&gpu, &passes, &stopwatch).unwrap();
-            assert!(times.capture > 0.0 && times.resolve > 0.0 && times.frame >= times.shadows(), "{times:?}");
+            assert!(
+                times.capture > 0.0 && times.resolve > 0.0 && times.frame >= times.shadows(),
+                "{times:?}"
+            );
 
             let lit = read_back::texture_bytes(&gpu.device, &gpu.queue, passes.lit.texture()).unwrap();
             let (mut judged, mut shadowed, mut wrong) = (0, 0, 0);

@@ -46,10 +46,14 @@ fn what_is_not_declared_leaves_no_trace() {
         }
 
         // Clip distances stand where the pipeline cuts, and only there.
-        let pipeline = [ShaderKind::Capture, ShaderKind::CaptureTested].map(ShaderKind::name);
+        let pipeline = [ShaderKind::Capture, ShaderKind::CaptureTested];
         let cut = modules_with(&generated, "enable clip_distances;");
-        let expected = pipeline.into_iter().filter(|name| clipped && (tested || *name == "capture"));
-        assert_eq!(cut, expected.collect::<Vec<_>>(), "{}", dsl::print(&case));
+        let expected = pipeline.into_iter().filter(|shader| clipped && table.pass(*shader).is_some());
+        assert_eq!(cut, expected.map(ShaderKind::name).collect::<Vec<_>>(), "{}", dsl::print(&case));
+        let has = |shader| table.pass(shader).is_some();
+        let exact = has(ShaderKind::CaptureBent);
+        assert_eq!(has(ShaderKind::CaptureTested), tested && !exact, "{}", dsl::print(&case));
+        assert_eq!(has(ShaderKind::CaptureBentTested), tested && exact, "{}", dsl::print(&case));
 
         // Resolving needs the sign wherever it compares: in every filter and in every clamp.
         for name in modules_with(&generated, "_held_depth(") {
@@ -84,7 +88,10 @@ fn has_groups_of_its_passes(generated: &Generated) -> bool {
         let masks = groups.flat_map(|group| group.bindings.iter()).filter(|binding| {
             matches!(binding.kind, BindingKind::CasterMask | BindingKind::CasterMaskSampler)
         });
-        let tested = matches!(pass.shader, ShaderKind::CaptureTested | ShaderKind::CaptureTestedClamped);
+        let tested = matches!(
+            pass.shader,
+            ShaderKind::CaptureTested | ShaderKind::CaptureTestedClamped | ShaderKind::CaptureBentTested
+        );
         masks.count() == if tested { 2 } else { 0 }
     })
 }

@@ -32,6 +32,8 @@ pub fn image(rows: &FacetRows, outline: &[DVec2]) -> Vec<DVec2> {
             let share = f64::from(step) / f64::from(BENT_STEPS);
             let y = from + (to - from) * share;
             let along = if one.y == two.y { share } else { (rows.remap.k(y) - one.y) / (two.y - one.y) };
+            // On an edge that is level but for rounding the quotient is noise.
+            let along = along.clamp(0.0, 1.0);
             DVec2::new(one.x + (two.x - one.x) * along, y)
         })
     });

@@ -40,7 +40,7 @@ fn shortfalls(name: &str, class: Class, ours: &Figures, reference: &Figures) -> 
 
 /// Shortfalls that are known, with the largest ratio either way. The prototype's tiles have any size and no gutters;
 /// folded columns lose texels to gutters, and tiles are balanced for p95 over the volume, not for the ground.
-const KNOWN: [(&str, &str, &str, f64); 19] = [
+const KNOWN: [(&str, &str, &str, f64); 20] = [
     ("four_plane", "dueling", "max", 1.35),
     ("four_plane_near", "dueling", "max", 1.35),
     ("one_plane_log_folded", "general", "ground50", 1.20),
@@ -59,6 +59,7 @@ const KNOWN: [(&str, &str, &str, f64); 19] = [
     ("face_columns_8", "dueling", "util", 1.28),
     ("face_columns_16", "general", "ground95", 1.25),
     ("face_columns_16", "general", "util", 1.16),
+    ("face_columns_16", "border", "ground95", 1.20),
     ("face_columns_16", "dueling", "util", 1.18),
 ];
 
@@ -87,9 +88,10 @@ fn directional_rows_are_as_good_as_the_reference() {
         match built.name.as_str() {
             "one_plane_stretched" => {
                 let high = used(&|row| row.class == Class::General);
-                assert!(high[high.len() / 2] >= 0.97, "{high:?}");
+                assert!(high[high.len() / 2] >= 0.97 && high[0] >= 0.9, "{high:?}");
                 let all = used(&|row| row.class != Class::Dueling);
-                assert!(all[0] >= 0.9, "{all:?}");
+                assert!(all[all.len() / 2] >= 0.96 && all[0] >= 0.89, "{all:?}");
+                assert!(all[all.len() - 1] <= 1.0, "{all:?}");
             }
             "four_plane" => {
                 let inside = used(&|row| row.class == Class::Dueling);

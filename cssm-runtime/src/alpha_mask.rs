@@ -13,7 +13,8 @@ use crate::scope::checked;
 /// the sampler are the engine's own. A texel of the map is a hole where the sampled alpha is below the cutoff.
 #[derive(Debug, Clone)]
 pub struct AlphaMask<'a> {
-    /// Buffer with texture coordinates, which may be the one with positions; needs [`wgpu::BufferUsages::VERTEX`].
+    /// Buffer with texture coordinates, which may be the one with positions; needs [`wgpu::BufferUsages::VERTEX`],
+    /// and [`wgpu::BufferUsages::STORAGE`] where the case stretches exactly.
     pub uvs: &'a wgpu::Buffer,
     /// Where the texture coordinates of the mesh's first vertex begin in the buffer.
     pub offset_bytes: u64,

@@ -51,6 +51,10 @@
 //! * **Casters stay where they are.** Meshes are ranges of the engine's buffers in the engine's vertex format, alpha
 //!   masks are the engine's own textures. The eye is subtracted from every transform and the axes are turned to the
 //!   camera's in f64, so nothing is lost far from the world's origin or in a narrow field of view.
+//! * **Bent rows are exact where a case asks for it.** Triangles whose straight edges would miss the bent ones by more than
+//!   the declared bound are decided texel by texel; the others are rasterised as ever. Which is which takes all three
+//!   corners, so shaders fetch vertices from the engine's buffers ([`wgpu::BufferUsages::STORAGE`]), and what a box proves
+//!   to be straight enough is not looked at twice ([`Drawing`]).
 //! * **Positions and normals come in the case's axes.** The generated function and the mask take them relative to the
 //!   eye in camera axes (x right, y up, looking along -z): `camera_from_world * (point_world - eye_world)`. Cases
 //!   that declare `axes: world` take them in world axes.

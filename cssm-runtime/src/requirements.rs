@@ -54,7 +54,9 @@ pub fn features_and_limits(adapter: &wgpu::Adapter, table: &CaseTable) -> Result
         max_texture_dimension_2d: lowest.max_texture_dimension_2d.max(side),
         max_uniform_buffer_binding_size: lowest.max_uniform_buffer_binding_size.max(record),
         max_bind_groups: lowest.max_bind_groups.max(groups),
-        max_storage_buffers_per_shader_stage: lowest.max_storage_buffers_per_shader_stage.max(storage_buffers),
+        max_storage_buffers_per_shader_stage: lowest
+            .max_storage_buffers_per_shader_stage
+            .max(storage_buffers),
         max_storage_buffer_binding_size: match storage_buffers {
             0 => lowest.max_storage_buffer_binding_size,
             _ => offered.max_storage_buffer_binding_size.min(MESH_BYTES),

@@ -83,8 +83,7 @@ impl<'a> Situation<'a> {
             let bounds = SceneBounds::of(scene.bounds_world());
             plan(case, &situation.view, &situation.light, &bounds).unwrap()
         };
-        let made_for =
-            |plan: &ShadowPlan| plan.choice.complete && plan.choice.made_for_position.is_empty();
+        let made_for = |plan: &ShadowPlan| plan.choice.complete && plan.choice.made_for_position.is_empty();
         let situations = catalogue::situations(scene, (640, 360)).unwrap();
         let mut own = situations.iter().filter(|situation| situation.light.kind() == case.light);
         let plan = own.by_ref().map(planned).find(made_for).expect("a case is made for some situation");

@@ -34,12 +34,7 @@ struct Draw {
 
 impl Geometry {
     /// Uploads a scene; transforms are turned to camera axes relative to the eye in f64.
-    pub(super) fn new(
-        gpu: &Gpu,
-        scene: &Scene,
-        view: &View,
-        toward_light: DVec3,
-    ) -> Result<Self, GpuError> {
+    pub(super) fn new(gpu: &Gpu, scene: &Scene, view: &View, toward_light: DVec3) -> Result<Self, GpuError> {
         let (mut vertices, mut indices, mut instances, mut draws) =
             (Vec::<[f32; 3]>::new(), Vec::<u32>::new(), Vec::<[f32; 16]>::new(), Vec::new());
         for (number, mesh) in scene.meshes.iter().enumerate() {

@@ -32,6 +32,28 @@ impl BentTriangle {
         polygon
     }
 
+    /// Area of the [cover](Self::cover)'s part of the tile, texels.
+    pub fn covered_tile_texels(&self) -> f64 {
+        let half = 0.5 * self.size();
+        let edges = [(DVec2::X, half.x), (-DVec2::X, half.x), (DVec2::Y, half.y), (-DVec2::Y, half.y)];
+        let mut polygon = self.cover();
+        for (outward, limit) in edges {
+            let mut kept = Vec::with_capacity(polygon.len() + 1);
+            for (one, two) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
+                let (start, end) = (limit - outward.dot(*one), limit - outward.dot(*two));
+                if start >= 0.0 {
+                    kept.push(*one);
+                }
+                if (start < 0.0) != (end < 0.0) {
+                    kept.push(one.lerp(*two, start / (start - end)));
+                }
+            }
+            polygon = kept;
+        }
+        let pairs = polygon.iter().zip(polygon.iter().cycle().skip(1));
+        0.5 * pairs.map(|(one, two)| one.perp_dot(*two)).sum::<f64>().abs()
+    }
+
     /// A place in (x/w, k) in texels from the tile's centre.
     pub(super) fn bent(&self, place: DVec2) -> DVec2 {
         0.5 * self.size() * DVec2::new(place.x, self.remap.y(place.y))

@@ -173,7 +173,7 @@ pub fn omni(configuration: &str, map: (u32, u32), focus_metres: f64) -> Result<L
     let lamp = || LightCase::builder("Lamp").light(LightKind::Omni).map_size_texels(map.0, map.1);
     let plain = |name| lamp().configurations(&[name]);
     let builder = match configuration {
-        "face_columns" => plain("face_columns").distribution(logarithmic(1)).stretch(EXACT),
+        "face_columns" => plain("face_columns").distribution(logarithmic(8)).stretch(EXACT),
         "one_plane" => plain("one_plane").distribution(perspective(focus_metres, 1)).stretch(EXACT),
         "four_plane" => plain("four_plane"),
         "eight_plane" => plain("eight_plane"),

@@ -46,8 +46,10 @@ impl SceneBuffers {
                 })
             })
         };
-        let vertices = buffer("scene vertices", vertex_bytes, wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE)?;
-        let indices = buffer("scene indices", index_bytes, wgpu::BufferUsages::INDEX | wgpu::BufferUsages::STORAGE)?;
+        let vertices =
+            buffer("scene vertices", vertex_bytes, wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE)?;
+        let indices =
+            buffer("scene indices", index_bytes, wgpu::BufferUsages::INDEX | wgpu::BufferUsages::STORAGE)?;
         let clustered = scene.meshes.iter().map(clustered).collect::<Result<Vec<_>, _>>()?;
         gpu.checked("the scene's contents", || {
             let (mut vertex, mut index) = (0, 0);

@@ -57,7 +57,7 @@ impl Bending {
             (normal.dot(centre) + row.w, normal.abs().dot(bounds.half))
         });
         let (nearest, farthest) = (w.0 - w.1, w.0 + w.1);
-        if !(nearest > 0.0) {
+        if nearest.is_nan() || nearest <= 0.0 {
             return false;
         }
         let over = |value: f64, least: f64, most: f64| value / if value < 0.0 { least } else { most };

@@ -11,6 +11,7 @@ use cssm_core::{BoundingBox, ShadowPlan};
 use super::*;
 
 mod clusters;
+mod fans;
 
 const EYE: DVec3 = DVec3::new(5e6, 2.0, -1e3);
 

@@ -46,9 +46,9 @@ impl DepthBracket {
                 facet.rows.x += facet.rows.w * step(tile.width, x);
                 if facet.rows.remap.is_none() {
                     match facet.rows.remap.is_none() {
-                    true => facet.rows.y += facet.rows.w * step(tile.height, y),
-                    false => facet.rows.remap.shift += step(tile.height, y),
-                }
+                        true => facet.rows.y += facet.rows.w * step(tile.height, y),
+                        false => facet.rows.remap.shift += step(tile.height, y),
+                    }
                 } else {
                     facet.rows.remap.shift += step(tile.height, y);
                 }
@@ -83,11 +83,6 @@ impl DepthBracket {
     /// Whether a texel's depth is the same, up to the accuracy of drivers, within 1/64 texel.
     pub fn is_sure(&self, texel: usize) -> bool {
         self.high.depths[texel] - self.low.depths[texel] <= DEPTH_TOLERANCE
-    }
-
-    /// Smallest and largest depth of a texel.
-    pub fn limits(&self, texel: usize) -> (f64, f64) {
-        (self.low.depths[texel], self.high.depths[texel])
     }
 
     /// Number of texels outside.

@@ -2,6 +2,7 @@
 
 use cssm_codegen::generate;
 use cssm_core::case::{Axes, LightCase, MaskDepth, Resolve};
+use cssm_core::table::CaseTable;
 use cssm_core::twin::DepthMap;
 use cssm_core::{ShadowPlan, View};
 use cssm_runtime::{CasterInstance, MaskInputs, Options, PreparedFrame, ShadowService, wgpu};
@@ -43,13 +44,27 @@ impl<'a> Stage<'a> {
     /// When generator or service refuse.
     pub fn new(gpu: &'a TestDevice, yard: &Yard, case: &'a LightCase, options: &Options) -> Self {
         let table = generate(case).expect("a checked case generates").table;
-        let mut service = ShadowService::new(&gpu.device, &gpu.queue, &table, options)
+        Self::of_table(gpu, yard, case, &table, options)
+    }
+
+    /// The same with a table that is not quite what the case generates.
+    ///
+    /// # Panics
+    /// When the service refuses.
+    pub fn of_table(
+        gpu: &'a TestDevice,
+        yard: &Yard,
+        case: &'a LightCase,
+        table: &CaseTable,
+        options: &Options,
+    ) -> Self {
+        let mut service = ShadowService::new(&gpu.device, &gpu.queue, table, options)
             .expect("the device serves every test case");
         let buffers = yard.upload(gpu);
         let casters = yard.add_to(&mut service, &buffers).expect("the yard's meshes are sound");
         let function = case.resolve.iter().any(|interface| matches!(interface, Resolve::Function { .. }));
         let arguments = if case.bias.reads_normal() { "position.xyz, normal" } else { "position.xyz" };
-        let material = function.then(|| Material::new(gpu, &table, &service, arguments));
+        let material = function.then(|| Material::new(gpu, table, &service, arguments));
         Self { gpu, service, interfaces: &case.resolve, axes: case.axes, material, casters }
     }
 

@@ -1,7 +1,7 @@
 //! A small scene with everything that is hard: a wide ground, boxes, thin poles, tilted sheets, a tower above the view.
 
 use cssm_core::case::LightKind;
-use cssm_core::glam::{DAffine3, DMat3, DQuat, DVec3};
+use cssm_core::glam::{DAffine3, DMat3, DQuat, DVec3, DVec4};
 use cssm_core::{BoundingBox, Light, ShadowPlan, View};
 use cssm_runtime::{CasterInstance, ServiceError, ShadowService};
 
@@ -101,9 +101,12 @@ impl Yard {
         (0..self.places.len()).flat_map(place).collect()
     }
 
-    /// Whether the service draws a place into a facet of a plan: its box's shadow reaches the facet.
+    /// Whether the service draws a place into a facet of a plan: the shadow of its own box, turned as it stands, reaches the
+    /// facet.
     pub fn reaches(&self, place: usize, plan: &ShadowPlan, facet: usize) -> bool {
-        plan.facets[facet].reached_by(&self.place_bounds(place, plan.eye_world))
+        let corners = self.place_corners(place, plan.eye_world);
+        let holds = |plane: &DVec4| corners.iter().any(|corner| plane.dot(corner.extend(1.0)) >= 0.0);
+        plan.facets[facet].casters.iter().all(holds)
     }
 
     /// World-space box around everything.
@@ -115,18 +118,22 @@ impl Yard {
 
     /// Box around one place, relative to a point.
     fn place_bounds(&self, place: usize, origin_world: DVec3) -> BoundingBox {
+        let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let corners = self.place_corners(place, origin_world).into_iter();
+        let (min, max) = corners.fold(none, |(min, max), corner| (min.min(corner), max.max(corner)));
+        BoundingBox { min, max }
+    }
+
+    /// Corners of one place's own box, relative to a point, world axes.
+    fn place_corners(&self, place: usize, origin_world: DVec3) -> [DVec3; 8] {
         let (shape, world_from_object) = &self.places[place];
         let bounds = self.geometries[*shape].bounds();
-        let corners = (0..8).map(|corner| {
+        std::array::from_fn(|corner| {
             let pick = |axis: usize| {
                 if corner >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] }
             };
             world_from_object.transform_point3(DVec3::new(pick(0), pick(1), pick(2))) - origin_world
-        });
-        let (min, max) = corners.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(min, max), corner| {
-            (min.min(corner), max.max(corner))
-        });
-        BoundingBox { min, max }
+        })
     }
 }
 

@@ -113,11 +113,11 @@ pub fn markdown(measured: &Measurement, cpu: &[CpuTimes]) -> String {
 fn introduction(measured: &Measurement) -> String {
     let Measurement { adapter, method, runs, triangles, image_pixels: (width, height), .. } = measured;
     let software = if measured.software {
-        "\nThis adapter is a program that runs on the CPU. Depth that no fragment shader writes takes a path of its own in it \
-         that is far faster than any other, and what a GPU does in fixed function (coverage, depth, clears) costs it as \
-         much as shaders do. Exact stretching decides coverage in a fragment shader: the contender *depth from a fragment \
-         shader* draws straight rows by the slower path too, so that the fast one can be told apart. The balance between \
-         capture, resolve and the view's own passes is not a GPU's either.\n"
+        "\nThis adapter is a program that runs on the CPU. Depth that no fragment shader writes takes a path of its own in it, \
+         and what a GPU does in fixed function (coverage, depth, clears) costs it as much as shaders do. Exact stretching \
+         decides coverage in a fragment shader: the contender *depth from a fragment shader* draws straight rows without \
+         that path too, so that its share can be told apart. The balance between capture, resolve and the view's own \
+         passes is not a GPU's either.\n"
     } else {
         ""
     };

@@ -357,7 +357,10 @@ impl LightCase {
 
     /// Whether band limits are multiples of a row of each sector's own; see [`crate::facet::Selection::units`].
     pub fn scales_thresholds(&self) -> bool {
-        self.light.is_local() && self.shape().bands > 1
+        let spec = self.technique_spec();
+        let spends = |word: &Word| spec.configuration(word.name).takes_distribution;
+        let spread = self.configurations.iter().any(spends) && distribution::pieces(self) > 1;
+        self.light.is_local() && spread
     }
 
     /// Whether the resolve shaders shear positions along the light; see [`crate::ShadowPlan::shear`].

@@ -67,11 +67,6 @@ pub struct DistanceRange {
     /// How much nearer than the near plane the distance falls although receivers do not: distance + core is what
     /// screen size goes with.
     pub core_metres: f64,
-    /// How far lines of equal place across lean, at most, where they all meet at distance 0: 1 is half a right angle.
-    /// A push-back raises them.
-    pub slant: f64,
-    /// The part of it that all lines share, of 1; nothing where they lean both ways.
-    pub shared_slant: f64,
     /// Near plane of the view where receivers begin beyond it because the light does not reach the eye; the density of
     /// rows over distance then stays what it would be without the gap.
     pub unlit_near_metres: Option<f64>,

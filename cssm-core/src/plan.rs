@@ -328,6 +328,9 @@ pub(crate) fn plan_preferring(
         // Another configuration of the case scales its limits; this one's are plain.
         selection.units = vec![DVec4::W; (shape.halves * shape.sectors) as usize];
     }
+    if !case.scales_thresholds() {
+        selection.units.clear();
+    }
     for row in selection.rows_mut() {
         *row = row_to_world(*row);
     }

@@ -53,7 +53,7 @@ fn fused(scene: &Scene) -> Scene {
     }
     let instance = Instance { mesh: 0, world_from_object: DAffine3::IDENTITY, colour: [0.5; 3] };
     let (name, views) = (format!("{} in one mesh", scene.name), scene.views.clone());
-    Scene { name, meshes: vec![mesh], instances: vec![instance], views }
+    Scene { name, meshes: vec![mesh], instances: vec![instance], views, lamps: Vec::new() }
 }
 
 /// A service and a scene's casters.

@@ -88,7 +88,7 @@ fn the_device_draws_what_the_twin_draws() {
 /// Triangles before, beside and behind the eye: from a thousandth of their distance to many times it, some nearly
 /// degenerate, wound both ways.
 fn soup(random: &mut Random, count: usize) -> Vec<Geometry> {
-    let mut around = |size: f64, random: &mut Random| {
+    let around = |size: f64, random: &mut Random| {
         DVec3::new(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5) * 2.0 * size
     };
     let triangle = |_| {

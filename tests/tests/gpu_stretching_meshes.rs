@@ -146,7 +146,7 @@ fn every_format_draws_the_same_map() {
     let plan = planned(&case, view, &suns()[0]);
     let at = DAffine3::from_translation(ORIGIN + DVec3::new(0.0, 0.0, -6.0));
     let flat = DAffine3::from_translation(DVec3::NEG_Y) * DAffine3::from_scale(DVec3::new(1.0, 2.0, 1.0));
-    let mut draw = |description: &MeshDescription, place: DAffine3| {
+    let draw = |description: &MeshDescription, place: DAffine3| {
         let mut service = service(&gpu, &case).unwrap();
         let mesh = service.add_mesh(description).unwrap();
         let caster = CasterInstance { mesh, world_from_object: at * place };

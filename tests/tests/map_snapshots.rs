@@ -77,7 +77,7 @@ struct Situation<'a> {
 }
 
 impl<'a> Situation<'a> {
-    /// The first situation of a scene with a light that the case is made for.
+    /// The first situation of a scene with a light that the case is made for; else the first of its kind.
     fn new(scene: &'a Scene, case: &LightCase) -> Self {
         let planned = |situation: &catalogue::Situation| {
             let bounds = SceneBounds::of(scene.bounds_world());
@@ -85,8 +85,10 @@ impl<'a> Situation<'a> {
         };
         let made_for = |plan: &ShadowPlan| plan.choice.complete && plan.choice.made_for_position.is_empty();
         let situations = catalogue::situations(scene, (640, 360)).unwrap();
-        let mut own = situations.iter().filter(|situation| situation.light.kind() == case.light);
-        let plan = own.by_ref().map(planned).find(made_for).expect("a case is made for some situation");
+        let own = situations.iter().filter(|situation| situation.light.kind() == case.light);
+        let mut plans: Vec<ShadowPlan> = own.map(planned).collect();
+        let best = plans.iter().position(made_for).unwrap_or(0);
+        let plan = plans.swap_remove(best);
         let eye = plan.eye_world;
         let mut situation = Self { plan, triangles: Vec::new(), cutouts: Vec::new() };
         for instance in &scene.instances {

@@ -39,12 +39,6 @@ const BELOW_ZERO: f64 = 1e-9;
 
 /// Push-back in geometric means of a band's ends: rows grow less along the band, the far end narrows.
 const PUSH_BACK: f64 = 0.6;
-/// Further push-back for slant beyond the ratio of the band's ends, in far ends.
-const RAISING: f64 = 0.3;
-/// Most of it; keeps rows apart from uniform ones.
-const MOST_RAISED: f64 = 1e3;
-/// Widest near end that is paid for raising, in widths of the far end.
-const WIDEST: f64 = 10.0;
 
 fn count(arguments: &Arguments) -> u32 {
     arguments.count("count").unwrap_or(8)
@@ -75,33 +69,14 @@ fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
     let piece = |index: u32| {
         let from_core = if index == 0 || below_zero { core } else { 0.0 };
         let far_end = start * libm::pow(ratio, f64::from(index + 1));
-        let farthest_metres = limit(index + 1);
-        // Lines that run to infinity cannot be raised there.
-        let raised = if farthest_metres.is_finite() { raised(ratio, range) } else { 0.0 };
         Piece {
             nearest_metres: limit(index),
-            farthest_metres,
-            push_back_metres: from_core + far_end * (PUSH_BACK / ratio.sqrt() + raised),
+            farthest_metres: limit(index + 1),
+            push_back_metres: from_core + far_end * PUSH_BACK / ratio.sqrt(),
             curve: Curve::Straight,
             weight: 1.0,
             focus_metres: f64::INFINITY,
         }
     };
     (0..count).map(piece).collect()
-}
-
-/// Push-back, in far ends, that raises lines of a slant.
-fn raised(ratio: f64, range: &DistanceRange) -> f64 {
-    let most = if ratio > WIDEST { (WIDEST - 1.0) / (ratio - WIDEST) } else { f64::INFINITY };
-    let further = (RAISING * (range.slant - ratio)).clamp(0.0, most.min(MOST_RAISED));
-
-    // A push-back r widens the near end by (1 + ratio r) / (1 + r), most of all where all lines lean one way, and
-    // shortens rows to 1 / (1 + r). Raise where that needs fewer texels.
-    let texels = |push_back: f64| {
-        let drawn_out = (1.0 + ratio * push_back) / (1.0 + push_back);
-        let (upright, leaning) = (1.0 / range.slant, 1.0 / (1.0 + push_back));
-        (drawn_out - range.shared_slant) * (upright * upright + leaning * leaning).sqrt()
-    };
-    let before = PUSH_BACK / ratio.sqrt();
-    if further > 0.0 && texels(before + further) < texels(before) { further } else { 0.0 }
 }

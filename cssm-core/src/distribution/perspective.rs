@@ -34,7 +34,10 @@ const FARTHEST_PUSH_BACK: f64 = 10.0;
 fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
     let focus = Focus::of(arguments).metres(range.eye_height_metres);
     let whole = perspective_piece(focus, share(arguments), range);
-    folds::folded(whole, whole.curve, whole.push_back_metres, folds::count(arguments))
+    let count = folds::count(arguments);
+    // Folded pieces lie on either side of the focus: each is as fine as it can be.
+    let focus_metres = if count > 1 { f64::INFINITY } else { whole.focus_metres };
+    folds::folded(Piece { focus_metres, ..whole }, whole.curve, whole.push_back_metres, count)
 }
 
 /// The declared share.

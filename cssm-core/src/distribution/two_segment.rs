@@ -65,8 +65,6 @@ mod tests {
                 nearest_metres: 0.1,
                 farthest_metres: farthest,
                 core_metres: 0.1,
-                slant: 1.0,
-                shared_slant: 0.0,
                 unlit_near_metres: None,
                 eye_height_metres: None,
                 bends: true,

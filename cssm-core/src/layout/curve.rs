@@ -7,7 +7,7 @@
 use super::{Gram, TileDemand};
 
 /// Number of widths.
-pub(super) const WIDTHS: usize = 96;
+pub(super) const WIDTHS: usize = 56;
 /// Largest width, in lengths of the longest vector.
 const WIDEST: f64 = 2.0;
 /// Share of a facet's samples that must not exceed the footprint.

@@ -10,9 +10,7 @@ use crate::remap::Curve;
 use crate::technique::{FacetDraft, Region, Situation, TileRequest};
 
 /// Slant up to which pieces ask for the footprint of the others.
-const STEEPEST_SLANT: f64 = 20.0;
-/// The same where a piece reaches infinity.
-const STEEPEST_TO_INFINITY: f64 = 5.0;
+const STEEPEST_SLANT: f64 = 8.0;
 /// Largest footprint that a piece asks for, in footprints of the others.
 const COARSEST: f64 = 100.0;
 
@@ -29,10 +27,8 @@ pub(super) struct Column {
     pub(super) distance: DVec4,
     /// Denominator of the distance, positive on receivers; (0, 0, 0, 1) for a directional light.
     pub(super) unit: DVec4,
-    /// How far lines of equal place across lean, see [`DistanceRange::slant`].
+    /// How far lines of equal place across lean, at most: 1 is half a right angle.
     pub(super) slant: f64,
-    /// The part of it that all lines share, see [`DistanceRange::shared_slant`].
-    pub(super) shared_slant: f64,
     /// Half-spaces that part it from its neighbours.
     pub(super) sides: Vec<DVec4>,
     /// Its receivers.
@@ -81,11 +77,10 @@ pub(super) fn split(column: &Column, pieces: &[Piece]) -> Vec<FacetDraft> {
     pieces.iter().enumerate().map(facet).collect()
 }
 
-/// What a piece asks for: a finer footprint where its weight says so, one that grows beyond a focus. A push-back raises leaning lines no more than the near end can pay for, and not at infinity:
-/// beyond a slant texels grow, so that the column vanishes from the map as its region vanishes from the light's view.
+/// What a piece asks for: a finer footprint where its weight says so, one that grows beyond a focus. Beyond a slant texels
+/// grow as well, so that the column vanishes from the map as its region vanishes from the light's view.
 fn request(column: &Column, piece: &Piece) -> TileRequest {
-    let steepest = if piece.farthest_metres.is_finite() { STEEPEST_SLANT } else { STEEPEST_TO_INFINITY };
-    let slanted = (column.slant / steepest).sqrt().clamp(1.0, COARSEST);
+    let slanted = (column.slant / STEEPEST_SLANT).sqrt().clamp(1.0, COARSEST);
     let (times, focus_metres) = (slanted / piece.weight, piece.focus_metres);
     if times == 1.0 && focus_metres.is_infinite() {
         TileRequest::Footprint
@@ -108,8 +103,6 @@ pub(super) fn range(column: &Column, situation: &Situation<'_>) -> DistanceRange
         nearest_metres: nearest,
         farthest_metres: farthest,
         core_metres: (depth_near - nearest).max(0.0),
-        slant: column.slant,
-        shared_slant: column.shared_slant,
         unlit_near_metres: unlit.then_some(view_near),
         eye_height_metres: situation.eye_height_metres,
         bends: false,

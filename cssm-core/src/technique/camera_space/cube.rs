@@ -48,7 +48,6 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
             selection.borders.push(from_light(past));
             selection.distances.push(from_light(along - side));
             selection.thresholds.push(vec![0.0]);
-            selection.units.push(DVec4::W);
         }
     }
 

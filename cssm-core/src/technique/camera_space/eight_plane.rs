@@ -161,7 +161,6 @@ impl Bipyramid {
             selection.borders.push(face.start);
             selection.distances.push(toward_back);
             selection.thresholds.push(vec![0.0]);
-            selection.units.push(DVec4::W);
         }
         Some(Draft { configuration: SPEC.choice.name, form: form.name, complete: true, selection, facets })
     }

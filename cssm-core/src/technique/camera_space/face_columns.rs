@@ -9,7 +9,7 @@
 //!
 //! A face that the light runs along has no area, and its column must need no texels there, or it would come up at full
 //! size with the first ray that enters it. Cuts of equal distance are turned where they would cross a sliver lengthwise,
-//! and columns whose edges lean far are raised by a push-back, see `Unrolled`.
+//! and columns whose edges lean far ask for coarser texels, see `Unrolled`.
 //!
 //! A point light before the eye plane sends rays both ways: those to receivers deeper than itself run away and enter by
 //! the faces turned towards it; those to nearer receivers come back, and their smallest depth lies on the faces turned
@@ -95,7 +95,6 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
                 across: unrolled.across,
                 distance: unrolled.distance,
                 slant: unrolled.slant,
-                shared_slant: unrolled.shared_slant,
                 unit: face.unit,
                 receivers: situation.receivers.cut_by(&sides),
                 sides,
@@ -127,14 +126,12 @@ struct Unrolled {
     distance: DVec4,
     /// The farther end of the cut from the apex' foot on it, over the apex' height.
     slant: f64,
-    /// The nearer end, over the farther where both lie on one side.
-    shared_slant: f64,
 }
 
 impl Unrolled {
     /// Cuts at equal depths.
     fn plain(face: &SideFace) -> Self {
-        Self { across: face.t - face.s, distance: face.s + face.t, slant: 0.0, shared_slant: 0.0 }
+        Self { across: face.t - face.s, distance: face.s + face.t, slant: 0.0 }
     }
 
     /// Cuts that need no more texels than the face has area, for a directional light.
@@ -158,7 +155,6 @@ impl Unrolled {
         let area = (pp * qq - pq * pq).max(0.0).sqrt();
         let farther = p.abs().max(q.abs()) * length_squared;
         let slant = if area > 0.0 { farther / area } else { f64::MAX };
-        let (near, far) = if p.abs() < q.abs() { (p, q) } else { (q, p) };
-        Self { across: s * p + t * q, distance: s + t, slant, shared_slant: (near / far).max(0.0) }
+        Self { across: s * p + t * q, distance: s + t, slant }
     }
 }

@@ -105,7 +105,6 @@ pub(super) fn column(situation: &Situation<'_>) -> Column {
         across,
         distance,
         slant: 0.0,
-        shared_slant: 0.0,
         unit,
         sides,
         receivers: bounded(&receivers, distance, unit),

@@ -4,7 +4,7 @@
 //! One vertex points to the middle of the near plane: towards vertices a projection is finest, and what is visible there
 //! is near. Three faces meet in it and are parted by half-planes around that axis, the fourth lies behind all three.
 
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DVec2, DVec3};
 
 use super::anchors::{Anchors, barycentric};
 use crate::case::LightKind;
@@ -72,7 +72,6 @@ pub(super) fn around(situation: &Situation<'_>) -> Option<Draft> {
         selection.borders.push(past(one));
         selection.distances.push(-toward_tip);
         selection.thresholds.push(vec![0.0]);
-        selection.units.push(DVec4::W);
     }
 
     // The base behind them.

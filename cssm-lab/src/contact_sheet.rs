@@ -91,12 +91,13 @@ fn joined(shown: &[Vec<Shown>]) -> Picture {
     Picture::stacked(&(0..rows).map(row).collect::<Vec<_>>())
 }
 
-/// The cases that were asked for, or all that ship, with maps of one size.
+/// The cases that were asked for, or all that ship for a sun, with maps of one size.
 fn cases(arguments: &ContactSheetArguments) -> Result<Vec<LightCase>, LabError> {
     let cases: Vec<LightCase> = match &arguments.case[..] {
         [] => shipped::ALL
             .iter()
             .map(|text| pick_case(Path::new("shipped.cssm"), text, None))
+            .filter(|case| case.as_ref().map_or(true, |case| !case.light.is_local()))
             .collect::<Result<_, _>>()?,
         given => given.iter().map(|case| load_case(case)).collect::<Result<_, _>>()?,
     };

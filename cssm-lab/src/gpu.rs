@@ -17,6 +17,7 @@ pub use stopwatch::{PassTimes, RecordPass, SequenceTimes, Stopwatch, Writes};
 pub use surface::Surface;
 
 use cssm_core::LightCase;
+use cssm_core::case::Casters;
 use cssm_core::table::CaseTable;
 use cssm_runtime::{ClusterError, ServiceError, features_and_limits};
 
@@ -112,6 +113,8 @@ impl Gpu {
         };
         let mut features = wgpu::Features::empty();
         for case in cases {
+            // A scene with cutouts has its casters tested, whatever the case declares.
+            let case = &LightCase { casters: Casters::AlphaTested, ..(*case).clone() };
             let needed = features_and_limits(&adapter, &CaseTable::describe(case))?;
             limits = limits.or_better_values_from(&needed.limits);
             features |= needed.features;

@@ -21,6 +21,9 @@ use cssm_lab::stage::Stage;
 use cssm_lab::truth::Tracer;
 use cssm_lab::twin::TwinCasters;
 
+/// Judges a case in one situation.
+type Judge<'a> = Box<dyn Fn(&Entry) -> Result<Convergence, LabError> + 'a>;
+
 const SIZE: (u32, u32) = (640, 360);
 const NORMAL_SIDES: [u32; 3] = [512, 1024, 2048];
 const FULL_SIDES: [u32; 4] = [512, 1024, 2048, 4096];
@@ -83,7 +86,7 @@ fn judge(
         let gpu = on_gpu
             .then(|| Gpu::open(&entries.iter().map(|entry| &entry.case).collect::<Vec<_>>(), SIZE).unwrap());
         let casters = TwinCasters::new(scene, situation.view.eye_world);
-        let find: Box<dyn Fn(&Entry) -> Result<Convergence, LabError>> = match &gpu {
+        let find: Judge<'_> = match &gpu {
             Some(gpu) => {
                 let stage = Stage::of(gpu, sight).unwrap();
                 Box::new(move |entry| convergence(&stage, &entry.case, ResolveMethod::Function, sides))

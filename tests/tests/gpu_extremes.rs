@@ -201,7 +201,7 @@ fn the_device_places_receivers_where_f64_does() {
     println!("receivers beyond {DEPTH_LIMIT} (beyond {NARROW_DEPTH_LIMIT} at 1 degree)");
     println!("{:<16}{:>6}{:>10}{:^31}{:^31}", "", "plans", "degraded", "60 and 170 degrees", "1 degree");
     let mut all = Vec::new();
-    for text in shipped::ALL {
+    for text in shipped::ALL.iter().filter(|text| text.contains("light: directional")) {
         let mut draws = random.clone();
         random.bits();
         let taken = situations.iter().filter(|_| full || draws.bits().is_multiple_of(SAMPLED));

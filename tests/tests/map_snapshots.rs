@@ -49,12 +49,15 @@ fn differing_share(reference: &[u8], test: &[u8]) -> Option<f64> {
     Some(count as f64 / reference.1.len() as f64)
 }
 
-fn encode(map: &DepthMap) -> Vec<u8> {
+/// Sixteen bits of a depth. A local light's is one over distance, most of it near zero: its fourth root is stored.
+fn encode(map: &DepthMap, is_local: bool) -> Vec<u8> {
+    let spread = |depth: f64| if is_local { depth.sqrt().sqrt() } else { depth };
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, map.width, map.height);
     encoder.set_color(png::ColorType::Grayscale);
     encoder.set_depth(png::BitDepth::Sixteen);
-    let texels = map.depths.iter().flat_map(|depth| ((depth * 65535.0).round() as u16).to_be_bytes());
+    let texels =
+        map.depths.iter().flat_map(|depth| ((spread(*depth) * 65535.0).round() as u16).to_be_bytes());
     let texels: Vec<u8> = texels.collect();
     encoder.write_header().unwrap().write_image_data(&texels).unwrap();
     bytes
@@ -110,12 +113,13 @@ impl<'a> Situation<'a> {
     }
 
     fn map(&self) -> Vec<u8> {
-        encode(&capture_tested(&self.plan, &self.triangles, |index, weights| {
+        let map = capture_tested(&self.plan, &self.triangles, |index, weights| {
             self.cutouts[index].is_none_or(|(mask, uvs)| {
                 let uv = uvs[0] * weights.x + uvs[1] * weights.y + uvs[2] * weights.z;
                 !mask.is_hole(uv.x, uv.y)
             })
-        }))
+        });
+        encode(&map, self.plan.light.w > 0.0)
     }
 }
 

@@ -155,7 +155,7 @@ pub(crate) fn lamps(view: &View, random: &mut Random) -> Vec<Light> {
         places.push(place * 10.0 + random.direction() * 1e-8);
     }
     let to_world = view.camera_from_world.transpose();
-    let range = |index: usize| if index % 3 == 0 { 12.0 } else { f64::INFINITY };
+    let range = |index: usize| if index.is_multiple_of(3) { 12.0 } else { f64::INFINITY };
     let lamp = |(index, place): (usize, DVec3)| {
         Light::omni(view.eye_world + to_world * place, range(index)).unwrap()
     };

@@ -25,7 +25,7 @@ const DEPTH_LIMIT: f64 = 1e-3;
 /// The same at one degree of view, where the range is a hundred thousand texels deep and floats hold no more.
 const NARROW_DEPTH_LIMIT: f64 = 1e-2;
 /// Share of receivers beyond the depth limit.
-const DEPTH_SHARE: f64 = 0.01;
+const DEPTH_SHARE: f64 = 0.015;
 /// Share of receivers on slivers of the image, thinner than rounding, that even f64 gives no facet.
 const SLIVER_SHARE: f64 = 1e-4;
 /// Receivers of each plan.

@@ -1,6 +1,6 @@
 //! Exact stretching of casters: what bent rows make of a triangle (camera space shadow maps, section 4).
 //!
-//! Where a facet has a [`Remap`](crate::remap::Remap), straight edges of casters become curves of the map. In (x/w, k) with
+//! Where a facet has a [`Remap`], straight edges of casters become curves of the map. In (x/w, k) with
 //! k = y/w they stay straight, so a texel's centre is brought there and decided by three edge functions; nothing is
 //! approximated, also where a corner lies behind the eye. The shaders do the same in f32; this is their reference, with
 //! what it takes to draw few texels too many: the [chord error](BentTriangle::chord_error_texels), which tells triangles

@@ -32,6 +32,9 @@ pub struct TechniqueSpec {
     /// Whether texels follow the eye, so that plans gain from depth stored reversed with the light ahead, and from
     /// positions sheared along the light.
     pub follows_camera: bool,
+    /// Ways to declare it that are worth comparing, in the declaration grammar of the field `technique`; the first is the
+    /// customary one.
+    pub variants: &'static [&'static str],
     /// Contradictions between its parameters and the rest of the case.
     pub check: fn(&LightCase) -> Vec<CaseError>,
 }

@@ -35,5 +35,6 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
     distribution: Some("bands(8)"),
     fits_infinity: true,
     follows_camera: true,
+    variants: &["camera_space"],
     check: |_| Vec::new(),
 };

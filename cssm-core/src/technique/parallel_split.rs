@@ -58,6 +58,11 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
     distribution: None,
     fits_infinity: false,
     follows_camera: false,
+    variants: &[
+        "parallel_split { splits: 4, scheme: logarithmic }",
+        "parallel_split { splits: 4, scheme: practical { lambda: 0.5 } }",
+        "parallel_split { splits: 4, scheme: uniform }",
+    ],
     check,
 };
 

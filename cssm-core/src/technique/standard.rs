@@ -18,6 +18,7 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
     distribution: None,
     fits_infinity: false,
     follows_camera: false,
+    variants: &["standard"],
     check: |_| Vec::new(),
 };
 

@@ -9,6 +9,7 @@ use std::fmt;
 use crate::case::LightCase;
 use crate::light::{Light, LightPosition};
 use crate::plan::{PlanError, SceneBounds, ShadowPlan, plan_preferring};
+use crate::technique::Fallback;
 use crate::view::View;
 
 /// What was chosen for a frame, and why.
@@ -25,6 +26,8 @@ pub struct ConfigurationChoice {
     pub predictions: Vec<Prediction>,
     /// Whether every visible receiver that the light reaches has a facet; if not, nothing is promised of the rest.
     pub complete: bool,
+    /// How far the technique gives way to another near a situation that it has no answer for.
+    pub fallback: Option<Fallback>,
     /// Configurations of the technique that are made for the light's position; empty when one of them is declared.
     pub made_for_position: Vec<&'static str>,
 }
@@ -57,7 +60,8 @@ pub struct Prediction {
 
 impl fmt::Display for ConfigurationChoice {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { position, configuration, reason, predictions, complete, made_for_position } = self;
+        let Self { position, configuration, reason, predictions, complete, fallback, made_for_position } =
+            self;
         write!(out, "{configuration}: light {}; ", position.name())?;
         match reason {
             ChoiceReason::Only => write!(out, "the only one declared")?,
@@ -76,6 +80,9 @@ impl fmt::Display for ConfigurationChoice {
         }
         if !complete {
             write!(out, "; incomplete: some receivers have no facet")?;
+        }
+        if let Some(Fallback { to, why, share }) = fallback {
+            write!(out, "; falls back to {to} by {:.0} %: {why}", 100.0 * share)?;
         }
         if !made_for_position.is_empty() {
             let names = made_for_position.join(" or ");
@@ -127,7 +134,7 @@ impl Chooser {
         bounds: &SceneBounds,
     ) -> Result<ShadowPlan, PlanError> {
         let kept = Kept { configuration: self.current, frames: self.frames_left };
-        let plan = plan_preferring(case, view, light, bounds, kept)?;
+        let plan = plan_preferring(case, view, light, bounds, &[], kept)?;
         let switched = self.current.is_some_and(|current| current != plan.configuration);
         self.frames_left = if switched { self.dwell_frames } else { self.frames_left.saturating_sub(1) };
         self.current = Some(plan.configuration);

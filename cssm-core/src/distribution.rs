@@ -8,6 +8,7 @@ mod perspective;
 mod two_segment;
 
 pub use perspective::perspective_piece;
+pub(crate) use perspective::push_back_metres;
 
 use crate::case::{LightCase, Stretch};
 use crate::focus::Focus;

@@ -233,7 +233,22 @@ pub fn plan(
     light: &Light,
     bounds: &SceneBounds,
 ) -> Result<ShadowPlan, PlanError> {
-    plan_preferring(case, view, light, bounds, Kept::default())
+    plan_over(case, view, light, bounds, &[])
+}
+
+/// [`plan()`], knowing bounding volumes of the receivers in world space, which may overlap and may be points: everything
+/// visible that may be in shadow must lie in one of them. Techniques that fit their map to what is seen use them.
+///
+/// # Errors
+/// As [`plan()`].
+pub fn plan_over(
+    case: &LightCase,
+    view: &View,
+    light: &Light,
+    bounds: &SceneBounds,
+    volumes_world: &[BoundingBox],
+) -> Result<ShadowPlan, PlanError> {
+    plan_preferring(case, view, light, bounds, volumes_world, Kept::default())
 }
 
 /// [`plan()`], with a configuration to stay with.
@@ -242,6 +257,7 @@ pub(crate) fn plan_preferring(
     view: &View,
     light: &Light,
     bounds: &SceneBounds,
+    volumes_world: &[BoundingBox],
     kept: Kept,
 ) -> Result<ShadowPlan, PlanError> {
     // Refuse what is not finite or not declared.
@@ -275,7 +291,8 @@ pub(crate) fn plan_preferring(
     };
     let mut receivers = receivers(case, view, bounds)?;
     lit::cut(&mut receivers, &light, light_camera, cone);
-    let situation = Situation { case, view, light: light_camera, cone, eye_height_metres, receivers };
+    let seen = seen(&receivers, view, volumes_world)?;
+    let situation = Situation { case, view, light: light_camera, cone, eye_height_metres, receivers, seen };
 
     // Draft every declared configuration, fit the drafts and take the best.
     let spec = case.technique_spec();
@@ -341,6 +358,7 @@ pub(crate) fn plan_preferring(
         reason,
         predictions: if predictions.len() > 1 { predictions } else { Vec::new() },
         complete,
+        fallback: draft.fallback,
         made_for_position: made_for(case, position),
     };
     Ok(ShadowPlan {
@@ -404,6 +422,29 @@ fn any<T>(results: impl Iterator<Item = Result<T, PlanError>>) -> Result<Vec<T>,
         Some(error) if found.is_empty() => Err(error),
         _ => Ok(found),
     }
+}
+
+/// Corners of what is visible of some volumes, camera space.
+fn seen(receivers: &Polytope, view: &View, volumes_world: &[BoundingBox]) -> Result<Vec<DVec4>, PlanError> {
+    let mut corners = Vec::new();
+    for volume in volumes_world {
+        if !volume.min.is_finite() || !volume.max.is_finite() {
+            return Err(PlanError::NotFinite { what: "a receivers' bounding volume" });
+        }
+        if volume.min.cmpgt(volume.max).any() {
+            return Err(PlanError::Bounds { min: volume.min, max: volume.max });
+        }
+        if volume.min == volume.max {
+            // A visible point needs no cutting.
+            let point = (view.camera_from_world * (volume.min - view.eye_world)).extend(1.0);
+            corners.extend(receivers.contains(point).then_some(point));
+        } else {
+            let mut visible = receivers.clone();
+            visible.cut_by_box(volume, view.eye_world, &view.camera_from_world);
+            corners.extend(visible.vertices);
+        }
+    }
+    Ok(corners)
 }
 
 /// Everything visible that may be in shadow, in camera space.

@@ -100,6 +100,10 @@ impl Polytope {
             })
             .collect();
 
+        // Points count as one within the rounding of a metre, or of the whole where that is smaller.
+        let finite = self.vertices.iter().filter(|vertex| vertex.w > 0.0);
+        let size = finite.map(|vertex| vertex.truncate().abs().max_element()).fold(0.0, f64::max).min(1.0);
+
         // Keep what lies inside, then add a vertex on every edge that crosses.
         let mut vertices = Vec::with_capacity(self.vertices.len() + 4);
         let mut incidence = Vec::with_capacity(self.vertices.len() + 4);
@@ -113,7 +117,7 @@ impl Polytope {
             for (b, outside) in signed.iter().enumerate().filter(|(_, outside)| **outside < 0.0) {
                 let Some(shared) = self.edge(a, b) else { continue };
                 let point = normalised(self.vertices[a] * -outside + self.vertices[b] * *inside);
-                match vertices.iter().position(|vertex| coincide(*vertex, point)) {
+                match vertices.iter().position(|vertex| coincide(*vertex, point, size)) {
                     Some(same) => incidence[same] |= shared | bit,
                     None => {
                         vertices.push(point);
@@ -180,11 +184,13 @@ impl Polytope {
 
     /// Smallest and largest value of row.X / w.X over the vertices, where w annihilates the light and is positive inside.
     /// Vertices whose w vanishes beside their distance are passed over: they lie so far along the light that they
-    /// share their image with the other end of their edge.
+    /// share their image with the other end of their edge. A constant w vanishes
+    /// at infinity alone.
     pub fn ratio_range(&self, row: DVec4, w: DVec4) -> (f64, f64) {
         let values = self.vertices.iter().filter_map(|vertex| {
             let scale = w.dot(*vertex);
-            (!is_negligible(scale, w, *vertex)).then(|| row.dot(*vertex) / scale)
+            let constant = w.truncate() == DVec3::ZERO && scale > 0.0;
+            (constant || !is_negligible(scale, w, *vertex)).then(|| row.dot(*vertex) / scale)
         });
         extremes(values)
     }
@@ -200,8 +206,9 @@ fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 /// Whether two normalised points are the same up to rounding.
-fn coincide(one: DVec4, two: DVec4) -> bool {
-    (one.w > 0.0) == (two.w > 0.0) && (one - two).abs().max_element() <= ON_PLANE * one.abs().max_element()
+fn coincide(one: DVec4, two: DVec4, size: f64) -> bool {
+    let largest = one.truncate().abs().max_element().max(size);
+    (one.w > 0.0) == (two.w > 0.0) && (one - two).abs().max_element() <= ON_PLANE * largest
 }
 
 /// The same homogeneous point with w = 1, or with unit length at infinity.

@@ -1,8 +1,20 @@
 //! The name table of techniques: one file each, and nothing outside its file knows how one works.
 
+pub mod bounding_box;
 pub mod camera_space;
+mod columns;
+pub mod generalized_linear;
+pub mod light_space_perspective;
+pub mod logarithmic_perspective;
 pub mod parallel_split;
+pub mod perspective;
+mod side_faces;
+mod slabs;
+pub mod stable_cascades;
 pub mod standard;
+pub mod trapezoidal;
+mod warp;
+pub mod warp_family;
 
 use glam::{DVec2, DVec3, DVec4};
 
@@ -57,7 +69,19 @@ pub struct ConfigurationSpec {
 }
 
 /// Every technique: the one place outside its own file that names it.
-pub const TECHNIQUES: &[TechniqueSpec] = &[standard::SPEC, parallel_split::SPEC, camera_space::SPEC];
+pub const TECHNIQUES: &[TechniqueSpec] = &[
+    standard::SPEC,
+    bounding_box::SPEC,
+    parallel_split::SPEC,
+    stable_cascades::SPEC,
+    trapezoidal::SPEC,
+    light_space_perspective::SPEC,
+    perspective::SPEC,
+    generalized_linear::SPEC,
+    warp_family::SPEC,
+    logarithmic_perspective::SPEC,
+    camera_space::SPEC,
+];
 
 /// Their declared names and parameters.
 pub const CHOICES: &[Choice] = &choices();
@@ -160,7 +184,7 @@ impl TechniqueSpec {
 pub struct Situation<'a> {
     /// The declaration.
     pub case: &'a LightCase,
-    /// The view; only its projection is meaningful here.
+    /// The view. Its place and rotation matter only to techniques that hold texels still in the world.
     pub view: &'a View,
     /// The light as a homogeneous point: unit direction towards it, w = 0; position of a local light, w = 1.
     pub light: DVec4,
@@ -170,6 +194,33 @@ pub struct Situation<'a> {
     pub eye_height_metres: Option<f64>,
     /// Everything visible that may be in shadow.
     pub receivers: Polytope,
+    /// Corners of the receivers' bounding volumes, as far as they are visible; empty where none were given.
+    pub seen: Vec<DVec4>,
+}
+
+impl Situation<'_> {
+    /// Points whose convex hull holds everything that is seen: corners of the receivers' bounding volumes, or else of
+    /// the visible polytope.
+    pub fn seen(&self) -> &[DVec4] {
+        if self.seen.is_empty() { &self.receivers.vertices } else { &self.seen }
+    }
+}
+
+/// Half-spaces that hold some points in a facet's x/w and y/w; each contains the light.
+fn enclosing(rows: &[DVec4; 3], points: &[DVec4]) -> Vec<DVec4> {
+    let [x, y, w] = *rows;
+    let limits = |row: DVec4| {
+        let ratios = points.iter().filter_map(|point| {
+            let scale = w.dot(*point);
+            (scale > 0.0).then(|| row.dot(*point) / scale)
+        });
+        let (low, high) = ratios.fold((f64::INFINITY, f64::NEG_INFINITY), |range, ratio| {
+            (range.0.min(ratio), range.1.max(ratio))
+        });
+        [row - w * low, w * high - row]
+    };
+    let sides: Vec<DVec4> = [x, y].into_iter().flat_map(limits).collect();
+    if sides.iter().all(|side| side.is_finite()) { sides } else { Vec::new() }
 }
 
 /// Cone of a spot light, in camera space.
@@ -190,10 +241,30 @@ pub struct Draft {
     pub form: &'static str,
     /// Whether every receiver has a facet; if not, nothing is promised of the rest.
     pub complete: bool,
+    /// How far the technique gives way to another near a situation that it has no answer for.
+    pub fallback: Option<Fallback>,
     /// The walk from a receiver to its facet.
     pub selection: Selection,
     /// The facets.
     pub facets: Vec<FacetDraft>,
+}
+
+/// How far a technique gives way near a situation that it has no answer for; it does so continuously, so that nothing pops.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fallback {
+    /// What it gives way to.
+    pub to: &'static str,
+    /// What it has no answer for.
+    pub why: &'static str,
+    /// 0: not at all; 1: altogether.
+    pub share: f64,
+}
+
+impl Fallback {
+    /// A fallback, if there is anything of it.
+    pub(crate) fn of(to: &'static str, why: &'static str, share: f64) -> Option<Self> {
+        (share > 0.0).then_some(Self { to, why, share })
+    }
 }
 
 impl Draft {

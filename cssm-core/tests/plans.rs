@@ -3,6 +3,7 @@
 mod support;
 
 use cssm_core::case::FarKind;
+use cssm_core::case::LightKind;
 use cssm_core::footprint::{quantile, score_volume};
 use cssm_core::glam::{DMat3, DMat4, DVec3, DVec4};
 use cssm_core::homography::Gradients;
@@ -10,7 +11,7 @@ use cssm_core::plan::BoundingBox;
 use cssm_core::schema::{Value, Word};
 use cssm_core::view::{ClipDepth, ViewError};
 use cssm_core::{Light, LightCase, PlanError, SceneBounds, View, plan};
-use support::{Random, cases, level_view, off_centre_view, sun, toward, turned_view};
+use support::{Random, cases, level_view, off_centre_view, peers, sun, toward, turned_view};
 
 /// A perspective matrix with the given edges: rows as engines build them.
 fn projection(edges: [f64; 4], near: f64, far: f64, reversed: bool, left_handed: bool, gl: bool) -> DMat4 {
@@ -193,14 +194,19 @@ fn tiles_never_overlap_and_cover_the_map() {
 #[test]
 fn facets_obey_the_algebra() {
     let mut random = Random::new(33);
-    for case in cases(1024, 900.0) {
+    let peers = peers(1024, 900.0, LightKind::Directional);
+    for case in cases(1024, 900.0).into_iter().chain(peers) {
         for _ in 0..20 {
             let view = turned_view(0.1, f64::INFINITY);
             let plan = plan(&case, &view, &sun(random.direction()), &SceneBounds::default()).unwrap();
             for facet in &plan.facets {
                 // The light's rays are points of the map; depth grows away from the light.
                 for row in [facet.rows.x, facet.rows.y, facet.rows.w] {
-                    assert!(row.dot(plan.light).abs() <= 1e-9 * row.truncate().length().max(1e-300));
+                    assert!(
+                        row.dot(plan.light).abs() <= 1e-9 * row.truncate().length().max(1e-300),
+                        "{}",
+                        case.name
+                    );
                 }
                 let slope = -facet.rows.z.dot(plan.light) * plan.depth_order.sign();
                 assert!(slope > 0.0);

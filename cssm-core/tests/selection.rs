@@ -8,7 +8,7 @@ use cssm_core::footprint::accepts;
 use cssm_core::glam::{DVec3, DVec4};
 use cssm_core::{Light, SceneBounds, ShadowPlan, View, plan};
 use support::{
-    Random, bounds_for, cases, lamps, level_view, local_cases, off_centre_view, shining, sun, toward,
+    Random, bounds_for, cases, lamps, level_view, local_cases, off_centre_view, peers, shining, sun, toward,
     turned_view,
 };
 
@@ -116,7 +116,9 @@ fn every_visible_point_has_exactly_one_facet_and_a_texel_in_its_tile() {
             LightKind::Omni => &lamps,
             LightKind::Spot => &spots,
         };
-        for case in cases(1024, reach).into_iter().chain(local_cases(1024)) {
+        let kinds = [LightKind::Directional, LightKind::Spot, LightKind::Omni];
+        let peers = kinds.into_iter().flat_map(|kind| peers(1024, reach, kind));
+        for case in cases(1024, reach).into_iter().chain(local_cases(1024)).chain(peers) {
             for light in by_kind(case.light) {
                 let light: &Light = light;
                 let plan = plan(&case, &view, light, &bounds_for(&case, &view)).unwrap();

@@ -7,7 +7,7 @@ use cssm_core::glam::DVec3;
 use cssm_core::plan::BoundingBox;
 use cssm_core::twin::{Triangle, capture, resolve};
 use cssm_core::{Light, LightCase, SceneBounds, ShadowPlan, View, plan};
-use support::{Random, bounds_for, cases, lamps, local_cases, shining, sun, toward};
+use support::{Random, bounds_for, cases, lamps, local_cases, peers, shining, sun, toward};
 
 /// Cosine between normal and light below which a receiver counts as grazing.
 const GRAZING: f64 = 0.05;
@@ -175,6 +175,38 @@ fn mismatch_falls_with_the_map_for_every_technique_and_light() {
             }
         }
     }
+}
+
+#[test]
+fn mismatch_falls_with_the_map_for_every_peer() {
+    let mut random = Random::new(43);
+    let triangles = scene(&mut random);
+    let view = view(120.0);
+    let mut receivers = receivers(&view, &triangles, 1500, &mut random);
+    receivers.retain(|receiver| view.depth_metres(receiver.point) < 119.0);
+    let spot =
+        Light::spot(view.eye_world + DVec3::new(3.0, 9.0, -14.0), DVec3::new(-0.1, -1.0, -0.4), 0.9, 60.0);
+    let omni = Light::omni(view.eye_world + DVec3::new(2.0, 6.0, -9.0), 60.0);
+    let suns = [(60.0, 150.0), (45.0, 0.0), (20.0, 180.0), (20.0, 0.0), (90.0, 0.0), (8.0, 90.0)];
+    let suns = suns.map(|(elevation, azimuth)| sun(toward(elevation, azimuth)));
+    let mut judged = 0;
+    for light in suns.into_iter().chain([spot.unwrap(), omni.unwrap()]) {
+        let truth: Vec<bool> =
+            receivers.iter().map(|receiver| shadowed(receiver, &light, &view, &triangles)).collect();
+        for (coarse, fine) in peers(256, 120.0, light.kind()).iter().zip(&peers(2048, 120.0, light.kind())) {
+            let at = |case: &LightCase| {
+                let plan = plan(case, &view, &light, &SceneBounds::default()).unwrap();
+                assert!(plan.choice.complete, "{}: {}", case.name, plan.choice);
+                mismatch(case, &plan, (&light, &view), &triangles, &receivers, &truth)
+            };
+            let (coarse_mismatch, fine_mismatch) = (at(coarse), at(fine));
+            let place = format!("{} {light:?}: {coarse_mismatch} {fine_mismatch}", fine.name);
+            assert!(fine_mismatch < 0.12, "{place}");
+            assert!(fine_mismatch < 0.75 * coarse_mismatch || fine_mismatch < 0.005, "{place}");
+            judged += 1;
+        }
+    }
+    assert!(judged > 100, "{judged}");
 }
 
 #[test]

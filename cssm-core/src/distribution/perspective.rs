@@ -72,7 +72,7 @@ pub fn perspective_piece(focus_metres: f64, share: f64, range: &DistanceRange) -
 
 /// How far to push the eye back so that `share` of the rows lies between `near` and `focus`; infinite where even
 /// uniform rows spend less there, 0 where the view's own perspective spends less.
-fn push_back_metres(focus: f64, share: f64, near: f64, far: f64) -> f64 {
+pub(crate) fn push_back_metres(focus: f64, share: f64, near: f64, far: f64) -> f64 {
     // Solve (1/(n+o) - 1/(F+o)) / (1/(n+o) - 1/(f+o)) = q for o.
     let before = focus - near;
     let push_back = if far.is_finite() {

@@ -40,13 +40,14 @@ pub(super) fn fit<'a>(
     let whole = map_area(situation.case);
 
     // The dominant plane's facet takes a strip over the whole width: it is as wide as the screen.
-    let strip = windows.iter().any(|window| window.draft.is_dominant()).then(|| {
+    let has_dominant = windows.iter().any(|window| window.draft.is_dominant());
+    if has_dominant && whole.height < 2 * whole.smallest_side() {
+        return Err(whole.too_small(windows.len()));
+    }
+    let strip = has_dominant.then(|| {
         let share = situation.case.dominant_plane.map_or(0.0, |plane| plane.share);
         let height = (f64::from(whole.height) * share).round() as u32;
-        height.clamp(
-            whole.smallest_side().min(whole.height),
-            whole.height.saturating_sub(whole.smallest_side()),
-        )
+        height.clamp(whole.smallest_side(), whole.height - whole.smallest_side())
     });
     let area = MapArea { height: whole.height - strip.unwrap_or(0), ..whole };
     let strip =

@@ -1,14 +1,12 @@
 //! Camera space shadow maps: facets whose texels follow the viewing camera's.
 
 mod anchors;
-mod columns;
 mod cube;
 mod eight_plane;
 mod face_columns;
 mod four_plane;
 mod light_projection;
 mod one_plane;
-mod side_faces;
 mod tetrahedron;
 
 use super::TechniqueSpec;

@@ -1,57 +1,44 @@
-//! Parallel-split shadow maps: depth slabs along the view, one uniform facet each.
+//! Parallel-split shadow maps: depth slabs along the view, one facet each. Slabs are uniform, or each has a warp of its own
+//! (parallel-split slides, "any algorithm can be applied to any layer").
 
-use glam::DVec4;
+use glam::{DVec3, DVec4};
 
 use super::standard::light_plane_axes;
+use super::warp::{LightPlane, WARPS, Warp, Warped};
 use super::{
-    ConfigurationSpec, Draft, FacetDraft, Region, Situation, TechniqueSpec, TileRequest, only_directional,
+    ConfigurationSpec, Draft, FacetDraft, Fallback, Region, Situation, TechniqueSpec, TileRequest,
+    only_directional, slabs,
 };
-use crate::case::{CaseError, LightCase, LightKind};
+use crate::case::LightKind;
 use crate::facet::{Cell, FacetShape, Selection};
 use crate::plan::PlanError;
-use crate::receivers::DEPTH_ROW;
-use crate::schema::{Choice, Default, Field, Kind, Unit, Word};
+use crate::receivers::{DEPTH_ROW, Polytope};
+use crate::schema::{Choice, Default, Field, Kind, Word};
 
-const SCHEMES: &[Choice] = &[
-    Choice::plain("uniform", "slabs of equal depth"),
-    Choice::plain("logarithmic", "slabs of equal depth ratio"),
-    Choice {
-        name: "practical",
-        summary: "blend of logarithmic and uniform limits",
-        arguments: &[Field {
-            name: "lambda",
-            summary: "weight of the logarithmic limit",
-            kind: Kind::Number { min: 0.0, max: 1.0, open: false, unit: Unit::None },
-            default: Default::Value("0.5"),
-        }],
-    },
-];
+/// `warp`, the warp of each slab.
+const WARP: Field = Field {
+    name: "warp",
+    summary: "warp of each slab",
+    kind: Kind::Choice(&WARP_CHOICES),
+    default: Default::Value("none"),
+};
+
+const WARP_CHOICES: [Choice; WARPS.len() + 1] = {
+    let mut choices = [Choice::plain("none", "uniform slabs"); WARPS.len() + 1];
+    let mut index = 0;
+    while index < WARPS.len() {
+        choices[index + 1] = WARPS[index].choice;
+        index += 1;
+    }
+    choices
+};
 
 /// Entry of the name table.
 pub const SPEC: TechniqueSpec = TechniqueSpec {
     choice: Choice {
         name: "parallel_split",
-        summary: "depth slabs along the view, one uniform map each",
-        arguments: &[
-            Field {
-                name: "splits",
-                summary: "number of slabs",
-                kind: Kind::Count { min: 2, max: 8 },
-                default: Default::Value("4"),
-            },
-            Field {
-                name: "scheme",
-                summary: "where the slabs' limits lie",
-                kind: Kind::Choice(SCHEMES),
-                default: Default::Value("practical { lambda: 0.5 }"),
-            },
-            Field {
-                name: "sizes",
-                summary: "tile size of each slab, nearest first",
-                kind: Kind::SizeList { min: 32, max: crate::case::MAP_SIDE_LIMIT_TEXELS },
-                default: Default::Absent("the map in equal tiles"),
-            },
-        ],
+        summary: "depth slabs along the view, one map each",
+        arguments: &[slabs::SPLITS, slabs::SCHEME, slabs::SIZES, WARP],
     },
     configurations: &[CONFIGURATION],
     default_configurations: |light| only_directional(light, &["slabs"]),
@@ -62,8 +49,11 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
         "parallel_split { splits: 4, scheme: logarithmic }",
         "parallel_split { splits: 4, scheme: practical { lambda: 0.5 } }",
         "parallel_split { splits: 4, scheme: uniform }",
+        "parallel_split { splits: 4, scheme: logarithmic, warp: light_space_perspective }",
+        "parallel_split { splits: 4, scheme: practical { lambda: 0.5 }, warp: light_space_perspective }",
+        "parallel_split { splits: 4, scheme: logarithmic, warp: trapezoidal }",
     ],
-    check,
+    check: slabs::check,
 };
 
 const CONFIGURATION: ConfigurationSpec = ConfigurationSpec {
@@ -71,10 +61,7 @@ const CONFIGURATION: ConfigurationSpec = ConfigurationSpec {
     lights: &[LightKind::Directional],
     takes_distribution: false,
     serves: |_| true,
-    shape: |case, _| FacetShape {
-        bands: case.technique.arguments.count("splits").unwrap_or(4),
-        ..FacetShape::ONE
-    },
+    shape: |case, _| FacetShape { bands: slabs::count(case), ..FacetShape::ONE },
     draft,
 };
 
@@ -83,12 +70,12 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
     let arguments = &situation.case.technique.arguments;
-    let splits = arguments.count("splits").unwrap_or(4);
+    let splits = slabs::count(situation.case);
     let (near, far) = situation.receivers.range(DEPTH_ROW);
-    let limits = split_limits(situation.case, near, far, splits);
-    let (x, y) = light_plane_axes(situation.light);
+    let limits = slabs::limits_metres(situation.case, near, far);
 
     // A slab selects receivers; it does not contain the light, so no caster may be cut with it.
+    let mut fallback: Option<Fallback> = None;
     let facets = (0..splits).map(|index| {
         let slab = index as usize;
         let mut select = Vec::new();
@@ -99,17 +86,21 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
             select.push(DVec4::W * limits[slab] - DEPTH_ROW);
         }
         let receivers = situation.receivers.cut_by(&select);
+        let (rows, given) = rows(situation, &receivers);
+        fallback = [fallback, given].into_iter().flatten().max_by(|one, two| one.share.total_cmp(&two.share));
         let region = Region::Tile(match arguments.sizes("sizes") {
             Some(sizes) => TileRequest::Fixed(sizes[slab].0, sizes[slab].1),
             None => TileRequest::Share(1.0 / f64::from(splits)),
         });
-        FacetDraft::straight(Cell::of(0, index), [x, y, DVec4::W], (select, receivers), region)
+        FacetDraft::straight(Cell::of(0, index), rows, (select, receivers), region)
     });
+    let facets = facets.collect();
     Ok(vec![Draft {
         configuration: CONFIGURATION.choice.name,
         form: "",
         complete: true,
-        facets: facets.collect(),
+        fallback,
+        facets,
         selection: Selection {
             distances: vec![DEPTH_ROW],
             thresholds: vec![limits],
@@ -118,31 +109,26 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     }])
 }
 
-/// Depths of the inner limits, ascending (parallel-split slides, "split schemes").
-fn split_limits(case: &LightCase, near: f64, far: f64, splits: u32) -> Vec<f64> {
-    let scheme = case.technique.arguments.word("scheme");
-    let lambda = match scheme.map(|word| word.name) {
-        Some("uniform") => 0.0,
-        Some("logarithmic") => 1.0,
-        _ => scheme.and_then(|word| word.arguments.number("lambda")).unwrap_or(0.5),
-    };
-    let limit = |index: u32| {
-        let share = f64::from(index) / f64::from(splits);
-        let logarithmic = near * libm::pow(far / near, share);
-        let uniform = near + (far - near) * share;
-        lambda * logarithmic + (1.0 - lambda) * uniform
-    };
-    (1..splits).map(limit).collect()
-}
-
-fn check(case: &LightCase) -> Vec<CaseError> {
-    let splits = case.technique.arguments.count("splits").unwrap_or(4);
-    match case.technique.arguments.sizes("sizes") {
-        Some(sizes) if sizes.len() != splits as usize => vec![CaseError {
-            field: "technique.sizes".into(),
-            message: format!("{} sizes are given for {splits} splits", sizes.len()),
-            remedy: "give one size per split or leave sizes out".into(),
-        }],
-        _ => Vec::new(),
+/// Rows x, y and w of a slab, and how far its warp gives way.
+fn rows(situation: &Situation<'_>, receivers: &Polytope) -> ([DVec4; 3], Option<Fallback>) {
+    let word = situation.case.technique.arguments.word(WARP.name);
+    let known =
+        word.and_then(|word| Some((word, WARPS.iter().find(|known| known.choice.name == word.name)?)));
+    match known {
+        Some((word, known)) if !receivers.is_empty() => {
+            let warped = Warped {
+                situation,
+                arguments: &word.arguments,
+                receivers,
+                depths_metres: receivers.range(DEPTH_ROW),
+                plane: LightPlane::along(situation, DVec3::NEG_Z),
+            };
+            let Warp { plane, strength, fallback } = (known.warp)(&warped);
+            (plane.rows(receivers, strength), fallback)
+        }
+        _ => {
+            let (x, y) = light_plane_axes(situation.light);
+            ([x, y, DVec4::W], None)
+        }
     }
 }

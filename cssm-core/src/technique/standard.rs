@@ -40,6 +40,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         configuration: CONFIGURATION.choice.name,
         form: "",
         complete: true,
+        fallback: None,
         selection: Selection::single(),
         facets: vec![FacetDraft::straight(
             Cell::FIRST,

@@ -71,6 +71,46 @@ pub(crate) fn cases(size: u32, shadow_distance: f64) -> Vec<LightCase> {
     ]
 }
 
+/// A case of each peer technique, in every way it can be declared for a kind of light.
+pub(crate) fn peers(size: u32, shadow_distance: f64, light: LightKind) -> Vec<LightCase> {
+    let word = |field: &'static str, name: &'static str| (field, Value::Word(Word::plain(name)));
+    let logarithmic = ("scheme", Value::Word(Word::plain("logarithmic")));
+    let warped = |warp: &'static str| vec![logarithmic.clone(), word("warp", warp)];
+    let all = [
+        ("Box", "bounding_box", vec![]),
+        ("SeenBox", "bounding_box", vec![word("over", "visible")]),
+        ("Stable", "stable_cascades", vec![logarithmic.clone()]),
+        ("Trapezoid", "trapezoidal", vec![]),
+        ("FocusedTrapezoid", "trapezoidal", vec![word("rule", "focused")]),
+        ("FixedTrapezoid", "trapezoidal", vec![word("line", "fixed")]),
+        ("LightSpace", "light_space_perspective", vec![]),
+        ("Perspective", "perspective", vec![word("slide_back", "none")]),
+        ("SlidPerspective", "perspective", vec![]),
+        ("Linear", "generalized_linear", vec![]),
+        ("Family", "warp_family", vec![]),
+        ("StrongFamily", "warp_family", vec![("eta", Value::Number(0.5))]),
+        ("Logarithm", "logarithmic_perspective", vec![]),
+        ("TrapezoidSplits", "parallel_split", warped("trapezoidal")),
+        ("LightSpaceSplits", "parallel_split", warped("light_space_perspective")),
+        ("LinearSplits", "parallel_split", warped("generalized_linear")),
+        ("FamilySplits", "parallel_split", warped("warp_family")),
+    ];
+    let build = |name: &str, technique: Word, configuration: Option<&'static str>| {
+        let builder = LightCase::builder(name).light(light).technique(technique);
+        let builder = match configuration {
+            Some(configuration) => builder.configurations(&[configuration]),
+            None => builder,
+        };
+        builder.shadow_distance_metres(shadow_distance).map_size_texels(size, size).build()
+    };
+    let plain = all
+        .into_iter()
+        .map(|(name, technique, arguments)| build(name, Word::with(technique, arguments), None));
+    let faces = build("Faces", Word::plain("perspective"), Some("cube_faces"));
+    // A technique without a configuration for the light is refused.
+    plain.chain([faces]).filter_map(Result::ok).collect()
+}
+
 /// A case of each configuration and distribution for spot and omni lights, and cases with a dominant plane.
 pub(crate) fn local_cases(size: u32) -> Vec<LightCase> {
     let local =

@@ -31,6 +31,27 @@ fn splits(count: u32, scheme: Word) -> LightCaseBuilder {
     LightCase::builder("Split").technique(Word::with("parallel_split", arguments))
 }
 
+fn warped_splits(warp: &'static str) -> LightCaseBuilder {
+    let arguments = [
+        ("splits", Value::Count(4)),
+        ("scheme", Value::Word(Word::plain("logarithmic"))),
+        ("warp", Value::Word(Word::plain(warp))),
+    ];
+    LightCase::builder("WarpedSplit").technique(Word::with("parallel_split", arguments))
+}
+
+fn rule(name: &'static str) -> (&'static str, Value) {
+    ("rule", Value::Word(Word::plain(name)))
+}
+
+fn slide(focus_metres: Option<f64>) -> (&'static str, Value) {
+    ("slide_back", focus_metres.map_or(Value::Word(Word::plain("none")), Value::Number))
+}
+
+fn log_scheme() -> (&'static str, Value) {
+    ("scheme", Value::Word(Word::plain("logarithmic")))
+}
+
 fn one_plane(distribution: Word, stretch: Stretch) -> LightCaseBuilder {
     LightCase::builder("Plane").configurations(&["one_plane"]).distribution(distribution).stretch(stretch)
 }
@@ -77,6 +98,9 @@ pub fn directional(
     focus_metres: f64,
 ) -> Result<Vec<BuiltIn>, Vec<CaseError>> {
     let bounded = |builder: LightCaseBuilder| builder.shadow_distance_metres(far_metres);
+    let technique = |name: &'static str, arguments: Vec<(&'static str, Value)>| {
+        bounded(LightCase::builder("Peer").technique(Word::with(name, arguments)))
+    };
     let uniform = || Word::plain("uniform");
     let log = || Word::plain("logarithmic");
     let practical = Word::with("practical", [number("lambda", 0.5)]);
@@ -93,6 +117,53 @@ pub fn directional(
             square,
             reference::STANDARD,
         ),
+        ("bounding_box", technique("bounding_box", vec![]), square, reference::BOUNDING_BOX),
+        (
+            "trapezoidal",
+            technique("trapezoidal", vec![number("focus", focus)]),
+            square,
+            reference::TRAPEZOIDAL,
+        ),
+        (
+            "trapezoidal_focused",
+            technique("trapezoidal", vec![rule("focused"), number("focus", focus)]),
+            square,
+            Reference::NONE,
+        ),
+        (
+            "light_space_perspective",
+            technique("light_space_perspective", vec![]),
+            square,
+            reference::LIGHT_SPACE_PERSPECTIVE,
+        ),
+        (
+            "generalized_linear",
+            technique("generalized_linear", vec![]),
+            square,
+            reference::GENERALIZED_LINEAR,
+        ),
+        ("perspective", technique("perspective", vec![slide(None)]), square, reference::PERSPECTIVE),
+        (
+            "perspective_slid",
+            technique("perspective", vec![slide(Some(focus))]),
+            square,
+            reference::PERSPECTIVE_SLID,
+        ),
+        (
+            "perspective_faces",
+            technique("perspective", vec![slide(Some(focus))]).configurations(&["cube_faces"]),
+            square,
+            Reference::NONE,
+        ),
+        ("warp_family", technique("warp_family", vec![]), square, Reference::NONE),
+        (
+            "logarithmic_perspective",
+            technique("logarithmic_perspective", vec![]).distribution(logarithmic(1)).stretch(EXACT),
+            square,
+            Reference::NONE,
+        ),
+        ("stable_cascades", technique("stable_cascades", vec![log_scheme()]), square, Reference::NONE),
+        ("pssm4_log_warped", bounded(warped_splits("light_space_perspective")), square, Reference::NONE),
         ("pssm2_log", bounded(splits(2, log())), row(2), reference::SPLIT_2),
         ("pssm2_uniform", bounded(splits(2, uniform())), row(2), reference::general_p95(1305.0)),
         ("pssm3_log", bounded(splits(3, log())), row(3), reference::SPLIT_3),

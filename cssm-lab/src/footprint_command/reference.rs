@@ -42,6 +42,48 @@ pub const STANDARD: Reference = Reference {
     dueling: [37.9, 1737.0, 2632.0, 1707.0, 426.0, 1.0],
 };
 
+/// The box of least area.
+pub const BOUNDING_BOX: Reference = Reference {
+    general: [40.4, 1851.0, 2582.0, 2806.0, 1736.0, 99.4, 200.0, 0.65],
+    border: [1737.0, 215.0],
+    dueling: [37.9, 1737.0, 2632.0, 1707.0, 426.0, 1.0],
+};
+
+/// A trapezoid with up to 80 % of its rows before the focus.
+pub const TRAPEZOIDAL: Reference = Reference {
+    general: [5.33, 119.0, 185.0, 256.0, 8.96, 1.09, 1.43, 0.53],
+    border: [95.1, 5.35],
+    dueling: [41.6, 1905.0, 2887.0, 1680.0, 384.0, 0.86],
+};
+
+/// Light space perspective; under light in the view the prototype had no fallback.
+pub const LIGHT_SPACE_PERSPECTIVE: Reference = Reference {
+    general: [5.34, 37.3, 51.7, 56.2, 29.3, 2.97, 5.00, 0.51],
+    border: [283.0, 30.1],
+    dueling: [NO; 6],
+};
+
+/// Generalized linear; under light in the view the prototype had no fallback.
+pub const GENERALIZED_LINEAR: Reference = Reference {
+    general: [33.8, 1545.0, 2318.0, 3355.0, 32.4, 4.26, 5.16, 0.90],
+    border: [635.0, 5.59],
+    dueling: [NO; 6],
+};
+
+/// Post-projective space without a slide.
+pub const PERSPECTIVE: Reference = Reference {
+    general: [38.0, 1774.0, 2884.0, 4023.0, 34.6, 4.84, 5.76, 0.97],
+    border: [4829.0, 34.5],
+    dueling: [116.0, 5320.0, 8065.0, 4756.0, 3902.0, 0.38],
+};
+
+/// Post-projective space with the eye slid back for the focus.
+pub const PERSPECTIVE_SLID: Reference = Reference {
+    general: [5.42, 32.4, 46.5, 64.5, 18.1, 2.04, 3.24, 0.51],
+    border: [102.0, 12.6],
+    dueling: [41.8, 1907.0, 2891.0, 1694.0, 375.0, 0.81],
+};
+
 /// Two logarithmic splits.
 pub const SPLIT_2: Reference = Reference {
     general: [6.63, 45.0, 54.0, 56.0, 43.0, 2.82, 42.7, 0.65],

@@ -61,7 +61,14 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         let cells = (0..2).map(|half| Cell { half, sector: sector as u32, band: 0 }).collect();
         facets.push(face(situation, side, DVec3::Z, cells));
     }
-    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", complete: true, selection, facets }])
+    Ok(vec![Draft {
+        configuration: SPEC.choice.name,
+        form: "",
+        complete: true,
+        fallback: None,
+        selection,
+        facets,
+    }])
 }
 
 /// The projection through the face with an outward axis.

@@ -19,7 +19,6 @@
 use glam::{DVec2, DVec3, DVec4};
 
 use super::anchors::{Anchors, barycentric};
-use super::side_faces::{self, Course};
 use super::tetrahedron;
 use crate::case::LightKind;
 use crate::facet::{Cell, FacetShape, Selection};
@@ -27,6 +26,7 @@ use crate::light::{BORDER_MARGIN, LightPosition};
 use crate::plan::PlanError;
 use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Word};
+use crate::technique::side_faces::{self, Course};
 use crate::technique::{ConfigurationSpec, Draft, Situation};
 
 /// A rectangle has four edges.
@@ -162,7 +162,14 @@ impl Bipyramid {
             selection.distances.push(toward_back);
             selection.thresholds.push(vec![0.0]);
         }
-        Some(Draft { configuration: SPEC.choice.name, form: form.name, complete: true, selection, facets })
+        Some(Draft {
+            configuration: SPEC.choice.name,
+            form: form.name,
+            complete: true,
+            fallback: None,
+            selection,
+            facets,
+        })
     }
 }
 

@@ -18,8 +18,6 @@
 
 use glam::{DVec3, DVec4};
 
-use super::columns::{self, Column};
-use super::side_faces::{self, Course, SideFace};
 use crate::case::{LightCase, LightKind};
 use crate::distribution;
 use crate::facet::{FacetShape, Selection};
@@ -27,6 +25,8 @@ use crate::light::LightPosition;
 use crate::plan::PlanError;
 use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Word};
+use crate::technique::columns::{self, Column};
+use crate::technique::side_faces::{self, Course, SideFace};
 use crate::technique::{ConfigurationSpec, Draft, Situation};
 
 /// A frustum has four side faces.
@@ -115,7 +115,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     if light.w == 0.0 {
         selection.units.clear();
     }
-    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", complete, selection, facets }])
+    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", complete, fallback: None, selection, facets }])
 }
 
 /// Rows of a face's column.

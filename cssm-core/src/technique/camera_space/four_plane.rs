@@ -12,8 +12,7 @@
 
 use glam::{DVec2, DVec4};
 
-use super::side_faces::{self, Course, SideFace};
-use super::{columns, one_plane};
+use super::one_plane;
 use crate::case::LightKind;
 use crate::distribution;
 use crate::facet::{Cell, FacetShape, Selection};
@@ -22,6 +21,8 @@ use crate::light::{BORDER_MARGIN, LightPosition};
 use crate::plan::PlanError;
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::schema::{Choice, Default, Field, Kind, Word};
+use crate::technique::columns;
+use crate::technique::side_faces::{self, Course, SideFace};
 use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TileRequest};
 
 /// A square has four triangles.
@@ -143,6 +144,7 @@ impl Square {
             configuration: SPEC.choice.name,
             form,
             complete: true,
+            fallback: None,
             facets: facets.collect(),
             selection: Selection {
                 borders: faces.iter().map(|face| face.start).collect(),
@@ -189,6 +191,7 @@ fn on_one_plane(situation: &Situation<'_>, focus: f64) -> Draft {
         configuration: SPEC.choice.name,
         form: "on one plane",
         complete: one_plane::is_complete(&column, situation),
+        fallback: None,
         selection: Selection::single(),
         facets: columns::split(&column, &[piece]),
     }

@@ -37,6 +37,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         configuration: SPEC.choice.name,
         form: "",
         complete: true,
+        fallback: None,
         selection: Selection::single(),
         facets: vec![facet],
     }])

@@ -15,7 +15,6 @@
 
 use glam::DVec4;
 
-use super::columns::{self, Column};
 use crate::case::LightKind;
 use crate::distribution;
 use crate::facet::{FacetShape, Selection};
@@ -24,6 +23,7 @@ use crate::plan::PlanError;
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::samples::SAMPLED_HORIZON_METRES;
 use crate::schema::{Choice, Word};
+use crate::technique::columns::{self, Column};
 use crate::technique::{ConfigurationSpec, Draft, Situation};
 
 /// Share of a point light's own distance from the plane that receivers must lie below it.
@@ -49,7 +49,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         selection.thresholds.push(limits);
         selection.units.extend((situation.light.w > 0.0).then_some(column.unit));
     }
-    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", complete, selection, facets }])
+    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", complete, fallback: None, selection, facets }])
 }
 
 /// Whether no receiver was left out of the column.

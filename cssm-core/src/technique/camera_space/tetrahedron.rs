@@ -79,7 +79,14 @@ pub(super) fn around(situation: &Situation<'_>) -> Option<Draft> {
     let face = Anchors { points: base.map(at), weights: [1.0; 3], targets: square(3), share: 1.0 };
     let cells = (0..SECTORS).map(|sector| Cell::of(sector, 1)).collect();
     facets.push(face.facet(cells, 0, light, (behind, &situation.receivers))?);
-    Some(Draft { configuration: SPEC.choice.name, form: "", complete: true, selection, facets })
+    Some(Draft {
+        configuration: SPEC.choice.name,
+        form: "",
+        complete: true,
+        fallback: None,
+        selection,
+        facets,
+    })
 }
 
 /// Cosine and sine of a third of a turn.

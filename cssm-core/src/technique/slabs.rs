@@ -1,0 +1,80 @@
+//! Depth slabs along the view: where their limits lie, and how many texels each has (parallel-split slides, "view frustum
+//! split").
+
+use crate::case::{CaseError, LightCase};
+use crate::schema::{Choice, Default, Field, Kind, Unit};
+
+const SCHEMES: &[Choice] = &[
+    Choice::plain("uniform", "slabs of equal depth"),
+    Choice::plain("logarithmic", "slabs of equal depth ratio"),
+    Choice {
+        name: "practical",
+        summary: "blend of logarithmic and uniform limits",
+        arguments: &[Field {
+            name: "lambda",
+            summary: "weight of the logarithmic limit",
+            kind: Kind::Number { min: 0.0, max: 1.0, open: false, unit: Unit::None },
+            default: Default::Value("0.5"),
+        }],
+    },
+];
+
+/// `splits`, the number of slabs.
+pub(super) const SPLITS: Field = Field {
+    name: "splits",
+    summary: "number of slabs",
+    kind: Kind::Count { min: 2, max: 8 },
+    default: Default::Value("4"),
+};
+
+/// `scheme`, where their limits lie.
+pub(super) const SCHEME: Field = Field {
+    name: "scheme",
+    summary: "where the slabs' limits lie",
+    kind: Kind::Choice(SCHEMES),
+    default: Default::Value("practical { lambda: 0.5 }"),
+};
+
+/// `sizes`, the tile of each.
+pub(super) const SIZES: Field = Field {
+    name: "sizes",
+    summary: "tile size of each slab, nearest first",
+    kind: Kind::SizeList { min: 32, max: crate::case::MAP_SIDE_LIMIT_TEXELS },
+    default: Default::Absent("the map in equal tiles"),
+};
+
+/// Declared number of slabs.
+pub(super) fn count(case: &LightCase) -> u32 {
+    case.technique.arguments.count(SPLITS.name).unwrap_or(4)
+}
+
+/// Contradictions of a declaration.
+pub(super) fn check(case: &LightCase) -> Vec<CaseError> {
+    let splits = count(case);
+    match case.technique.arguments.sizes(SIZES.name) {
+        Some(sizes) if sizes.len() != splits as usize => vec![CaseError {
+            field: "technique.sizes".into(),
+            message: format!("{} sizes are given for {splits} splits", sizes.len()),
+            remedy: "give one size per split or leave sizes out".into(),
+        }],
+        _ => Vec::new(),
+    }
+}
+
+/// Depths of the inner limits, ascending (parallel-split slides, "split schemes").
+pub(super) fn limits_metres(case: &LightCase, near: f64, far: f64) -> Vec<f64> {
+    let splits = count(case);
+    let scheme = case.technique.arguments.word("scheme");
+    let lambda = match scheme.map(|word| word.name) {
+        Some("uniform") => 0.0,
+        Some("logarithmic") => 1.0,
+        _ => scheme.and_then(|word| word.arguments.number("lambda")).unwrap_or(0.5),
+    };
+    let limit = |index: u32| {
+        let share = f64::from(index) / f64::from(splits);
+        let logarithmic = near * libm::pow(far / near, share);
+        let uniform = near + (far - near) * share;
+        lambda * logarithmic + (1.0 - lambda) * uniform
+    };
+    (1..splits).map(limit).collect()
+}

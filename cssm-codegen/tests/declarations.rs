@@ -140,8 +140,13 @@ fn default_texts_mean_what_they_say() {
     for technique in TECHNIQUES {
         if let Some(text) = technique.distribution {
             let name = technique.choice.name;
-            let written = parse_one(&format!("case Sun {{ technique: {name}, distribution: {text} }}"));
-            assert_eq!(written, parse_one(&format!("case Sun {{ technique: {name} }}")), "{text}");
+            let head = format!("shadow_distance: 1 km, technique: {name}");
+            let written = parse_one(&format!("case Sun {{ {head}, distribution: {text} }}"));
+            assert_eq!(written, parse_one(&format!("case Sun {{ {head} }}")), "{text}");
+        }
+        for variant in technique.variants {
+            let case = parse_one(&format!("case Sun {{ shadow_distance: 1 km, technique: {variant} }}"));
+            assert_eq!(case.technique.name, technique.choice.name, "{variant}");
         }
         for argument in technique.choice.arguments {
             let Default::Value(text) = argument.default else {
@@ -283,7 +288,7 @@ fn drawn(seed: u64, wanted: usize) -> Vec<(String, LightCase)> {
 
 #[test]
 fn canonical_texts_of_random_cases_read_back() {
-    let cases = drawn(1, 300);
+    let cases = drawn(1, 900);
     for (text, case) in &cases {
         let printed = dsl::print(case);
         assert_eq!(parse_one(&printed), *case, "{text}\n{printed}");
@@ -294,7 +299,8 @@ fn canonical_texts_of_random_cases_read_back() {
     }
     // The draw reaches all over the schema.
     for technique in TECHNIQUES {
-        assert!(cases.iter().any(|(_, case)| case.technique.name == technique.choice.name));
+        let name = technique.choice.name;
+        assert!(cases.iter().any(|(_, case)| case.technique.name == name), "{name} is never drawn");
     }
     let biases: std::collections::BTreeSet<_> = cases.iter().map(|(_, case)| case.bias.name()).collect();
     assert_eq!(biases.len(), 5);

@@ -10,6 +10,8 @@ use cssm_core::plan::{BoundingBox, PlanError, plan_over};
 use cssm_core::receivers::Polytope;
 use cssm_core::samples;
 use cssm_core::schema::{Value, Word};
+use cssm_core::technique::Situation;
+use cssm_core::technique::trapezoidal::FocusTable;
 use cssm_core::{Light, LightCase, SceneBounds, ShadowPlan, View, plan};
 use support::{Random, level_view, peers, sun, toward};
 
@@ -453,5 +455,32 @@ fn local_lights_have_trapezoids_and_cube_faces() {
             let plan = plan(&case, &view, &light, &SceneBounds::default()).unwrap();
             assert!(plan.choice.complete && !plan.facets.is_empty(), "{}: {}", case.name, plan.choice);
         }
+    }
+}
+
+#[test]
+fn a_table_of_focus_lines_replaces_the_search() {
+    let view = level_view(0.2, FAR);
+    let case = plain("trapezoidal");
+    let situation = |angle: f64| Situation {
+        case: &case,
+        view: &view,
+        light: DVec3::new(0.0, angle.sin(), angle.cos()).extend(0.0),
+        cone: None,
+        eye_height_metres: None,
+        receivers: Polytope::frustum(&view, FAR),
+        seen: Vec::new(),
+    };
+    let table = FocusTable::build(90, situation);
+    let points = points(&view);
+    for degrees in [43.3, 55.5, 71.2, 88.8_f64] {
+        let angle = degrees.to_radians();
+        let searched = planned(&case, &view, situation(angle).light.truncate());
+        let arguments =
+            [("line", Value::Word(Word::plain("fixed"))), ("share", Value::Number(table.share(angle)))];
+        let looked_up = Word::with("trapezoidal", arguments);
+        let looked_up = planned(&self::case(looked_up), &view, situation(angle).light.truncate());
+        let ratio = p95(&looked_up, &view, &points) / p95(&searched, &view, &points);
+        assert!((ratio - 1.0).abs() < 0.1, "{degrees}: {ratio}");
     }
 }

@@ -40,7 +40,13 @@ fn shortfalls(name: &str, class: Class, ours: &Figures, reference: &Figures) -> 
 
 /// Shortfalls that are known, with the largest ratio either way. The prototype's tiles have any size and no gutters;
 /// folded columns lose texels to gutters, and tiles are balanced for p95 over the volume, not for the ground.
-const KNOWN: [(&str, &str, &str, f64); 22] = [
+const KNOWN: [(&str, &str, &str, f64); 28] = [
+    ("perspective", "general", "util", 1.08),
+    ("perspective_slid", "border", "p95", 1.07),
+    ("perspective_slid", "border", "ground95", 1.07),
+    ("perspective_slid", "general", "geo95", 1.07),
+    ("perspective_slid", "general", "ground50", 1.07),
+    ("perspective_slid", "general", "ground95", 1.07),
     ("four_plane", "dueling", "max", 1.35),
     ("four_plane_near", "dueling", "max", 1.35),
     ("one_plane_log_folded", "general", "ground50", 1.20),

@@ -3,13 +3,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use cssm_core::case::{FarKind, LightCase};
+use cssm_core::case::{FarKind, LightCase, LightKind};
 use cssm_core::distribution::RemapKind;
 use cssm_core::glam::DVec3;
 use cssm_core::plan::WorldPlane;
 use cssm_core::schema::Value;
 use cssm_core::table::{CaseTable, RecordKind};
-use cssm_core::technique::TECHNIQUES;
+use cssm_core::technique::{TECHNIQUES, TechniqueSpec};
 use cssm_core::{PlanError, SceneBounds, ShadowPlan, View, plan};
 use cssm_runtime::Options;
 use cssm_tests::gpu::depth_bracket::{DepthBracket, SLIVERS};
@@ -22,10 +22,8 @@ use cssm_tests::random;
 
 const SEED: u64 = 0x5eed;
 const CASES: usize = 50;
-/// Techniques under each kind of light that they serve.
-const COMBINATIONS: usize = 5;
 /// Declarations that the cases are picked from: few hold a technique's own fields without contradiction.
-const POOL: usize = 3000;
+const POOL: usize = 12_000;
 /// Cases that must be drawn; the others have more tiles than their small map can hold.
 const LEAST_DRAWN: usize = 45;
 /// Largest uniform record of the test device, which has the lowest limits there are; many bands in both halves of a local
@@ -37,6 +35,10 @@ const SIZE: (u32, u32) = (128, 72);
 /// As many random cases of each technique and kind of light, with maps of 128 to 512 texels a side.
 fn small_cases() -> Vec<LightCase> {
     let mut cases = Vec::new();
+    let kinds = [LightKind::Directional, LightKind::Spot, LightKind::Omni];
+    let serves = |technique: &&TechniqueSpec, kind: LightKind| technique.serving(kind).next().is_some();
+    let combinations: usize =
+        kinds.iter().map(|kind| TECHNIQUES.iter().filter(|technique| serves(technique, *kind)).count()).sum();
     let mut taken = BTreeMap::new();
     for case in random::cases(SEED, POOL) {
         let table = CaseTable::describe(&case);
@@ -44,7 +46,7 @@ fn small_cases() -> Vec<LightCase> {
             continue;
         }
         let taken = taken.entry((case.technique.name, case.light.name())).or_insert(0);
-        if *taken < CASES / COMBINATIONS && cases.len() < CASES {
+        if *taken < CASES.div_ceil(combinations) && cases.len() < CASES {
             *taken += 1;
             cases.push(shrunk(case));
         }

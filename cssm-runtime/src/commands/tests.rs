@@ -64,6 +64,7 @@ fn plan(facets: Vec<Facet>) -> ShadowPlan {
             reason: ChoiceReason::Only,
             predictions: Vec::new(),
             complete: true,
+            fallback: None,
             made_for_position: Vec::new(),
         },
         eye_world: EYE,

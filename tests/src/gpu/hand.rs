@@ -78,6 +78,7 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
             reason: ChoiceReason::Only,
             predictions: Vec::new(),
             complete: true,
+            fallback: None,
             made_for_position: Vec::new(),
         },
         eye_world: view.eye_world,

@@ -25,7 +25,7 @@ pub struct Polytope {
 
 /// Distance from a plane, relative to plane and point, below which a vertex counts as lying on it.
 const ON_PLANE: f64 = 1e-13;
-/// Value of a row, relative to row and vertex, below which a vertex is a direction along the light.
+/// Value of a row, relative to its terms on the vertex, below which a vertex is a direction along the light.
 const ALONG_LIGHT: f64 = 1e-12;
 const AT_INFINITY: u64 = 1 << 63;
 /// Plane bits end below the bit of infinity.
@@ -184,21 +184,20 @@ impl Polytope {
 
     /// Smallest and largest value of row.X / w.X over the vertices, where w annihilates the light and is positive inside.
     /// Vertices whose w vanishes beside their distance are passed over: they lie so far along the light that they
-    /// share their image with the other end of their edge. A constant w vanishes
-    /// at infinity alone.
+    /// share their image with the other end of their edge.
     pub fn ratio_range(&self, row: DVec4, w: DVec4) -> (f64, f64) {
         let values = self.vertices.iter().filter_map(|vertex| {
             let scale = w.dot(*vertex);
-            let constant = w.truncate() == DVec3::ZERO && scale > 0.0;
-            (constant || !is_negligible(scale, w, *vertex)).then(|| row.dot(*vertex) / scale)
+            (!is_negligible(scale, w, *vertex)).then(|| row.dot(*vertex) / scale)
         });
         extremes(values)
     }
 }
 
-/// Whether a row vanishes on a vertex, beside the lengths of both.
+/// Whether a row vanishes on a vertex, beside the sizes of its terms; at any scale of the world.
 pub(crate) fn is_negligible(value: f64, row: DVec4, vertex: DVec4) -> bool {
-    value.abs() <= ALONG_LIGHT * row.length() * vertex.length()
+    let terms = row.truncate().length() * vertex.truncate().length() + (row.w * vertex.w).abs();
+    value.abs() <= ALONG_LIGHT * terms
 }
 
 fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {

@@ -13,7 +13,7 @@ use crate::scene::Scene;
 /// A case with one configuration and one distribution.
 #[derive(Debug, Clone)]
 pub struct Entry {
-    /// Kind, configuration, distribution and whether rows are bent, in words.
+    /// Kind, peer technique, configuration, distribution and whether rows are bent, in words.
     pub name: String,
     /// The configuration.
     pub configuration: &'static str,
@@ -27,14 +27,16 @@ const EXACT: Stretch = Stretch::Exact { bound_texels: 0.25 };
 /// Kinds of light.
 pub const KINDS: [LightKind; 3] = [LightKind::Directional, LightKind::Spot, LightKind::Omni];
 
-/// Every configuration of the techniques that follow the camera, for a kind of light, with every distribution, straight and
-/// bent.
+/// Technique whose configurations are named without it.
+const HOUSE: &str = "camera_space";
+
+/// Every configuration of every technique for a kind of light, with every distribution, straight and bent.
 ///
 /// # Errors
 /// What a declaration says, which is a fault of this list.
 pub fn entries(light: LightKind) -> Result<Vec<Entry>, Vec<CaseError>> {
     let mut entries = Vec::new();
-    for spec in TECHNIQUES.iter().filter(|spec| spec.follows_camera) {
+    for spec in TECHNIQUES {
         for configuration in spec.configurations.iter().filter(|known| known.lights.contains(&light)) {
             let name = configuration.choice.name;
             if !configuration.takes_distribution {
@@ -61,7 +63,12 @@ fn entry(
     configuration: &'static str,
     rows: Option<(Word, Stretch)>,
 ) -> Result<Entry, Vec<CaseError>> {
-    let mut name = format!("{} {configuration}", light.name());
+    // A technique with one configuration is its configuration.
+    let mut name = match (spec.choice.name, spec.configurations.len()) {
+        (HOUSE, _) => format!("{} {configuration}", light.name()),
+        (technique, 1) => format!("{} {technique}", light.name()),
+        (technique, _) => format!("{} {technique} {configuration}", light.name()),
+    };
     let bent = rows.as_ref().is_some_and(|(_, stretch)| *stretch != Stretch::None);
     if let Some((word, _)) = &rows {
         name += &format!(" {}{}", word.name, if bent { " stretched" } else { "" });
@@ -69,7 +76,8 @@ fn entry(
     let mut builder = LightCase::builder(&camel(&name))
         .light(light)
         .technique(Word::plain(spec.choice.name))
-        .configurations(&[configuration]);
+        .configurations(&[configuration])
+        .scene_bounds(!spec.fits_infinity);
     if let Some((word, stretch)) = rows {
         builder = builder.distribution(word).stretch(stretch);
     }

@@ -8,9 +8,13 @@ use crate::catalogue_sheet::{self, CatalogueArguments};
 use crate::contact_sheet::{self, ContactSheetArguments};
 use crate::demo::{self, DemoArguments};
 use crate::error::LabError;
+use crate::extremes::{self, ExtremesArguments};
+use crate::figures::{self, FiguresArguments};
 use crate::footprint_command::{self, FootprintArguments};
+use crate::measure::command::{self as measure, MeasureArguments};
 use crate::progress::Progress;
 use crate::render::{self, RenderArguments};
+use crate::tune::{self, TuneArguments};
 
 /// Sees and proves shadow maps: scenes, ray-cast truth, scores, pictures.
 #[derive(Debug, Parser)]
@@ -30,6 +34,10 @@ enum Command {
     Demo(DemoArguments),
     ContactSheet(ContactSheetArguments),
     Catalogue(CatalogueArguments),
+    Tune(TuneArguments),
+    Extremes(ExtremesArguments),
+    Figures(FiguresArguments),
+    Measure(Box<MeasureArguments>),
 }
 
 /// Runs what the process's arguments say; results go to standard output, faults to standard error.
@@ -59,6 +67,10 @@ fn run_command(line: &CommandLine) -> Result<String, LabError> {
         }
         Command::ContactSheet(arguments) => contact_sheet::run(arguments, progress),
         Command::Catalogue(arguments) => catalogue_sheet::run(arguments, progress),
+        Command::Figures(arguments) => figures::run(arguments, progress),
+        Command::Extremes(arguments) => extremes::run(arguments, progress),
+        Command::Measure(arguments) => measure::run(arguments, progress),
+        Command::Tune(arguments) => tune::run(arguments, progress),
         Command::Footprint(arguments) => Ok(footprint_command::run(arguments)?),
     }
 }

@@ -9,8 +9,11 @@ use cssm_core::view::ViewError;
 use crate::exr_file::ExrError;
 use crate::footprint_command::FootprintError;
 use crate::gpu::GpuError;
+use crate::measure::error::MeasureError;
+use crate::measure::paths::PathFileError;
 use crate::picture::PictureError;
 use crate::scene::SceneFileError;
+use crate::tune::error::TuneError;
 
 /// Why a command ended without its result.
 #[derive(Debug, thiserror::Error)]
@@ -90,6 +93,12 @@ pub enum LabError {
         /// What the system said.
         source: std::io::Error,
     },
+    /// A chart cannot be drawn.
+    #[error("a chart cannot be drawn: {message}; report it")]
+    Chart {
+        /// What the plotting library said.
+        message: String,
+    },
     /// No map size could be judged.
     #[error(
         "no map size left at least {wrong_pixels} wrong pixels and {interior_percent} % interior; take another view or a larger image"
@@ -127,4 +136,13 @@ pub enum LabError {
     /// Footprints cannot be scored.
     #[error(transparent)]
     Footprint(#[from] FootprintError),
+    /// Techniques cannot be measured.
+    #[error(transparent)]
+    Measure(#[from] MeasureError),
+    /// View paths cannot be read.
+    #[error(transparent)]
+    Paths(#[from] PathFileError),
+    /// No declaration was chosen.
+    #[error(transparent)]
+    Tune(#[from] TuneError),
 }

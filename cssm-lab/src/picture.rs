@@ -190,14 +190,28 @@ impl Picture {
     pub fn write_png(&self, path: &Path) -> Result<(), PictureError> {
         let fail = |source| PictureError { path: path.to_owned(), source };
         let file = std::fs::File::create(path).map_err(|error| fail(error.into()))?;
-        let mut encoder =
-            png::Encoder::new(std::io::BufWriter::new(file), self.width as u32, self.height as u32);
+        self.encode(std::io::BufWriter::new(file)).map_err(fail)
+    }
+
+    /// The bytes of a PNG file.
+    ///
+    /// # Errors
+    /// When the picture has no pixels.
+    pub fn png_bytes(&self) -> Result<Vec<u8>, PictureError> {
+        let mut bytes = Vec::new();
+        let encoded = self.encode(&mut bytes);
+        encoded.map_err(|source| PictureError { path: "a picture in memory".into(), source })?;
+        Ok(bytes)
+    }
+
+    fn encode(&self, out: impl std::io::Write) -> Result<(), png::EncodingError> {
+        let mut encoder = png::Encoder::new(out, self.width as u32, self.height as u32);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-        let mut writer = encoder.write_header().map_err(fail)?;
-        writer.write_image_data(self.pixels.as_flattened()).map_err(fail)?;
-        writer.finish().map_err(fail)
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(self.pixels.as_flattened())?;
+        writer.finish()
     }
 }
 

@@ -15,7 +15,7 @@ mod mask;
 mod palm;
 mod pavilion;
 mod place;
-mod random;
+pub(crate) mod random;
 mod solid;
 
 pub use gltf_file::SceneFileError;

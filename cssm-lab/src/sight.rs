@@ -1,7 +1,8 @@
 //! A sight: one view of a scene under one light, traced once, and the judge of every map on it.
 
 use cssm_core::case::Filter;
-use cssm_core::{Light, SceneBounds, ShadowPlan, View};
+use cssm_core::plan::plan_over;
+use cssm_core::{BoundingBox, Light, LightCase, PlanError, SceneBounds, ShadowPlan, View};
 
 use crate::error::LabError;
 use crate::progress::Progress;
@@ -20,6 +21,8 @@ pub struct Sight<'a> {
     pub light: Light,
     /// What planning is told of the scene.
     pub bounds: SceneBounds,
+    /// Boxes around blocks of visible pixels, for techniques that fit their map to what is visible.
+    pub visible_world: Vec<BoundingBox>,
     /// The truth.
     pub frame: Frame,
     /// True edges finer than pixels, if they were asked for.
@@ -74,8 +77,22 @@ impl<'a> Sight<'a> {
         } else {
             None
         };
+        Ok(Self { fine, ..Self::of_frame(scene, view, light, frame) })
+    }
+
+    /// The sight of a frame that is known already, without finer edges.
+    pub fn of_frame(scene: &'a Scene, view: View, light: Light, frame: Frame) -> Self {
         let bounds = SceneBounds::of(scene.bounds_world());
-        Ok(Self { scene, view, light, bounds, frame, fine })
+        let visible_world = visible_world(&view, &frame);
+        Self { scene, view, light, bounds, visible_world, frame, fine: None }
+    }
+
+    /// The plan of a case, told everything that is known of the sight.
+    ///
+    /// # Errors
+    /// What planning says.
+    pub fn plan(&self, case: &LightCase) -> Result<ShadowPlan, PlanError> {
+        plan_over(case, &self.view, &self.light, &self.bounds, &self.visible_world)
     }
 
     /// Judges the visibility that a plan's map gives the pixels.
@@ -91,4 +108,22 @@ impl<'a> Sight<'a> {
         let footprint = assignment.frame_footprint(&self.frame);
         Outcome { visibility, assignment, footprint, score, verdicts }
     }
+}
+
+/// Side of a block of pixels.
+const BLOCK_PIXELS: usize = 32;
+
+/// World-space boxes around what blocks of pixels see.
+fn visible_world(view: &View, frame: &Frame) -> Vec<BoundingBox> {
+    let (width, height) = (view.size_pixels.0 as usize, view.size_pixels.1 as usize);
+    let (across, down) = (width.div_ceil(BLOCK_PIXELS), height.div_ceil(BLOCK_PIXELS));
+    let mut boxes: Vec<Option<BoundingBox>> = vec![None; across * down];
+    for (index, pixel) in frame.pixels.iter().enumerate() {
+        let Some(pixel) = pixel else { continue };
+        let place = view.eye_world + pixel.position;
+        let block = (index / width / BLOCK_PIXELS) * across + (index % width) / BLOCK_PIXELS;
+        let around = boxes[block].get_or_insert(BoundingBox { min: place, max: place });
+        *around = BoundingBox { min: around.min.min(place), max: around.max.max(place) };
+    }
+    boxes.into_iter().flatten().collect()
 }

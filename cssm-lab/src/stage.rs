@@ -4,7 +4,7 @@ use std::ops::Deref;
 use std::time::Instant;
 
 use cssm_core::case::Casters;
-use cssm_core::{Light, LightCase, ShadowPlan, View, plan};
+use cssm_core::{Light, LightCase, ShadowPlan, View};
 use cssm_runtime::{FrameStatistics, PreparedFrame};
 
 use crate::convergence::{Convergence, converge};
@@ -68,11 +68,11 @@ impl<'a> Stage<'a> {
         let mut times = Vec::with_capacity(PLAN_RUNS);
         for _ in 1..PLAN_RUNS {
             let start = Instant::now();
-            plan(case, &self.view, &self.light, &self.bounds)?;
+            self.sight.plan(case)?;
             times.push(start.elapsed().as_secs_f64() * 1e6);
         }
         times.sort_by(f64::total_cmp);
-        let plan = plan(case, &self.view, &self.light, &self.bounds)?;
+        let plan = self.sight.plan(case)?;
         let mut attempt = self.attempt_with_plan(case, plan, method)?;
         attempt.plan_microseconds = quantile(&times, 0.5);
         Ok(attempt)

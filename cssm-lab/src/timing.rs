@@ -1,6 +1,6 @@
 //! Times of several cases, measured in turns so that whatever disturbs one disturbs all.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::error::LabError;
 use crate::gpu::{PassTimes, Stopwatch};
@@ -31,7 +31,7 @@ pub struct Timing {
 }
 
 /// Median of the runs, and what four fifths of them lie in.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Interval {
     /// Half the runs were faster.
     pub median: f64,

@@ -1,6 +1,7 @@
 //! Convergence against ray casting: errors shrink with the map, interiors are right, for every scene and shipped case.
 //!
-//! The normal run judges one view of each scene at 640 x 360; `cargo xtask test --full` judges every seeded view.
+//! The normal run judges one view of a scene of thin leaves and of one of solid objects at 640 x 360; `cargo xtask test
+//! --full` judges every seeded view of every scene.
 
 use std::path::Path;
 
@@ -45,8 +46,12 @@ fn is_made_for(case: &LightCase, view: &View, light: &Light, bounds: &SceneBound
     plan(case, view, light, bounds).unwrap().choice.made_for_position.is_empty()
 }
 
+fn is_full() -> bool {
+    std::env::var_os("CSSM_FULL").is_some()
+}
+
 fn judge(scene: &Scene, thin: bool) {
-    let full = std::env::var_os("CSSM_FULL").is_some();
+    let full = is_full();
     let tracer = Tracer::new(scene);
     let cases = cases();
     let gpu = Gpu::open(&cases.iter().collect::<Vec<_>>(), SIZE).unwrap();
@@ -137,10 +142,14 @@ fn errors_in_the_city_shrink_as_the_map_grows() {
 
 #[test]
 fn errors_in_the_pavilion_shrink_as_the_map_grows() {
-    judge(&Scene::pavilion(), false);
+    if is_full() {
+        judge(&Scene::pavilion(), false);
+    }
 }
 
 #[test]
 fn errors_in_the_forest_shrink_as_the_map_grows() {
-    judge(&Scene::forest(), true);
+    if is_full() {
+        judge(&Scene::forest(), true);
+    }
 }

@@ -42,9 +42,18 @@ const SEAM_PIXELS: u64 = 10_000;
 /// True edges without which a view is no test.
 const FEWEST_EDGES: u64 = 1000;
 
-/// What the normal run judges: for each configuration a situation of the palms that it is made for.
+/// What the normal run judges: for each camera space configuration a situation of the palms that it is made for, and some
+/// peers.
 const NORMAL: [(&str, &[&str]); 6] = [
-    ("sun-0", &["directional one_plane perspective stretched", "directional face_columns bands"]),
+    (
+        "sun-0",
+        &[
+            "directional one_plane perspective stretched",
+            "directional face_columns bands",
+            "directional trapezoidal",
+            "directional perspective cube_faces",
+        ],
+    ),
     ("sun-2", &["directional four_plane"]),
     ("omni-in-view", &["omni eight_plane"]),
     ("omni-behind", &["omni four_plane", "omni tetrahedron"]),
@@ -150,8 +159,11 @@ impl Finding {
         let mut fault = |text: String| {
             faults.push(format!("{} in {} on {}: {text}", self.entry.name, self.situation, self.scene));
         };
-        let slow =
-            self.thin || self.entry.name.contains("perspective") || self.entry.configuration == "four_plane";
+        let peer = self.entry.case.technique.name != "camera_space";
+        let slow = peer
+            || self.thin
+            || self.entry.name.contains("perspective")
+            || self.entry.configuration == "four_plane";
         let bar = if slow { SLOW_SLOPE } else { SOLID_SLOPE };
         let judged = found.levels.iter().filter(|level| level.judged).count();
         if judged > 2 && found.slope.is_some_and(|slope| slope > bar) {
@@ -245,7 +257,9 @@ fn every_configuration_converges_where_it_is_made_for() {
     let named: usize = NORMAL.iter().map(|(_, entries)| entries.len()).sum();
     assert_eq!(findings.len(), named, "a case of the list has another name");
     for kind in KINDS.into_iter().filter(|kind| *kind != LightKind::Spot) {
-        for entry in entries(kind).unwrap() {
+        let own =
+            entries(kind).unwrap().into_iter().filter(|entry| entry.case.technique.name == "camera_space");
+        for entry in own {
             let judged = |finding: &Finding| {
                 finding.entry.configuration == entry.configuration && finding.entry.case.light == kind
             };

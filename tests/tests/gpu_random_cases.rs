@@ -29,6 +29,8 @@ const LEAST_DRAWN: usize = 45;
 /// Largest uniform record of the test device, which has the lowest limits there are; many bands in both halves of a local
 /// light's columns need more.
 const LARGEST_RECORD_BYTES: u32 = 16384;
+/// How many times more texels than [`SLIVERS`] a local light may round beyond the bracket: depth steps grow towards it.
+const NEAR_LAMPS: f64 = 12.0;
 /// Size of the image in pixels.
 const SIZE: (u32, u32) = (128, 72);
 
@@ -112,7 +114,8 @@ fn random_cases_draw_what_the_twin_draws() {
             score.add(case, &drawn, visible);
         }
         let what = format!("{outside} of {texels} texels, {score:?}: {case:?}");
-        assert!(outside as f64 <= 1.0 + SLIVERS * texels as f64, "{what}");
+        let slivers = SLIVERS * if case.light.is_local() { NEAR_LAMPS } else { 1.0 };
+        assert!(outside as f64 <= 1.0 + slivers * texels as f64, "{what}");
         assert!(score.mask_wrong * 2000 <= score.mask_judged, "{what}");
         assert!(score.material_wrong * 2000 <= score.judged, "{what}");
         drawn_cases += usize::from(texels > 0);

@@ -1,4 +1,4 @@
-//! Project commands: `cargo xtask demo | test | gen | validate`.
+//! Project commands: `cargo xtask demo | test | extremes | gen | validate`.
 //!
 //! Each command is a list of steps that run cargo, the shader generator or the lab, show what they do and how long
 //! it took, and stop at the first failure with what to do about it. The commands that draw set the machine up first,
@@ -6,6 +6,7 @@
 //! and run where no driver is installed yet.
 
 mod demo;
+mod extremes;
 mod failure;
 mod generated;
 mod setup;
@@ -45,6 +46,8 @@ enum Verb {
         #[arg(last = true)]
         cargo: Vec<String>,
     },
+    /// Take every technique to the extremes of view, light, scale and map; writes docs/extremes.md and its picture.
+    Extremes,
     /// Write the generated files that are kept in the repository.
     Gen {
         /// Write nothing; fail if a file is not up to date.
@@ -71,6 +74,7 @@ fn run(verb: Verb) -> Result<(), Failure> {
     match verb {
         Verb::Demo { out } => demo::run(&mut steps, &out)?,
         Verb::Test { full, cargo } => tests::run(&mut steps, full, &cargo)?,
+        Verb::Extremes => extremes::run(&mut steps)?,
         Verb::Gen { check: false } => generated::write(&mut steps)?,
         Verb::Gen { check: true } => generated::check(&mut steps)?,
         Verb::Validate => validate::run(&mut steps)?,

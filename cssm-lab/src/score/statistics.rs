@@ -1,10 +1,10 @@
 //! Percentiles, shares, slopes.
 
 use cssm_core::footprint;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Median and upper percentiles of a set of numbers; all zero for an empty set.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Percentiles {
     /// Half lie below.
     pub median: f64,

@@ -3,6 +3,7 @@
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::failure::Failure;
@@ -67,6 +68,34 @@ impl Steps {
         println!("> {title}");
         let status = self.timed(title, || command.status()).map_err(|source| start(command, source))?;
         if status.success() { Ok(()) } else { Err(Failure::Step { title: title.into() }) }
+    }
+
+    /// Runs two programs at a time: the first with its output shown, then what the second wrote.
+    pub(crate) fn run_beside(
+        &mut self,
+        title: &str,
+        [(first_name, first), (second_name, second)]: [(&str, &mut Command); 2],
+    ) -> Result<(), Failure> {
+        println!("> {title}: {first_name}, and {second_name} beside it");
+        second.stdin(Stdio::null());
+        let (shown, beside) = self.timed(title, || {
+            thread::scope(|scope| {
+                let beside = scope.spawn(|| second.output());
+                (first.status(), beside.join())
+            })
+        });
+        let beside = beside.map_err(|_| Failure::Step { title: format!("{title} {second_name}") })?;
+        let beside = beside.map_err(|source| start(second, source))?;
+        println!("> {title}: {second_name}");
+        print!("{}", String::from_utf8_lossy(&beside.stdout));
+        eprint!("{}", String::from_utf8_lossy(&beside.stderr));
+        let shown = shown.map_err(|source| start(first, source))?;
+        for (name, passed) in [(first_name, shown.success()), (second_name, beside.status.success())] {
+            if !passed {
+                return Err(Failure::Step { title: format!("{title} {name}") });
+            }
+        }
+        Ok(())
     }
 
     /// Runs a program with its output shown only if it fails, and returns what it wrote.

@@ -1,12 +1,16 @@
 //! `cargo xtask test`: everything that proves the work.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use crate::failure::{Failure, at};
 use crate::steps::Steps;
 use crate::{generated, setup};
 
+/// Folder of the package whose tests draw.
+const DEVICE_PACKAGE: &str = "tests";
 /// Folders that hold no sources.
 const OTHER_FOLDERS: [&str; 3] = ["target", "out", ".git"];
 
@@ -14,12 +18,11 @@ const OTHER_FOLDERS: [&str; 3] = ["target", "out", ".git"];
 /// silent unless it fails, so that the last lines shown are the tests' own results.
 pub(crate) fn run(steps: &mut Steps, full: bool, arguments: &[String]) -> Result<(), Failure> {
     setup::run(steps)?;
-    let mut tests = steps.cargo();
-    tests.args(["test", "--workspace", "--no-fail-fast"]).args(arguments).env("INSTA_UPDATE", "no");
-    if full {
-        tests.env("CSSM_FULL", "1");
+    if arguments.is_empty() {
+        run_lanes(steps, full)?;
+    } else {
+        steps.run("tests", cargo_test(steps, full).args(arguments))?;
     }
-    steps.run("tests", &mut tests)?;
 
     let mut left = Vec::new();
     left_snapshots(steps.root(), &mut left)?;
@@ -29,6 +32,52 @@ pub(crate) fn run(steps: &mut Steps, full: bool, arguments: &[String]) -> Result
     }
     generated::check(steps)?;
     if full { generated::check_release(steps) } else { Ok(()) }
+}
+
+/// Runs the tests of the device beside all others: each lane leaves a core idle that the other can use.
+fn run_lanes(steps: &mut Steps, full: bool) -> Result<(), Failure> {
+    steps.run("building tests", cargo_test(steps, full).arg("--no-run"))?;
+
+    // The same workspace in every lane, so that cargo builds nothing twice.
+    let (mut device, mut others) = (cargo_test(steps, full), cargo_test(steps, full));
+    others.args(["--lib", "--bins", "--bench", "*"]);
+    for (of_device, name) in test_names(steps.root())? {
+        let lane = if of_device { &mut device } else { &mut others };
+        lane.args(["--test", &name]);
+    }
+    steps.run_beside("tests", [("on the device", &mut device), ("elsewhere", &mut others)])?;
+    steps.run("documentation tests", cargo_test(steps, full).arg("--doc"))
+}
+
+/// Cargo's tests of the whole workspace.
+fn cargo_test(steps: &Steps, full: bool) -> Command {
+    let mut tests = steps.cargo();
+    tests.args(["test", "--workspace", "--no-fail-fast"]).env("INSTA_UPDATE", "no");
+    if full {
+        tests.env("CSSM_FULL", "1");
+    }
+    tests
+}
+
+/// Names of the workspace's test programs, and whether they belong to the package that draws.
+fn test_names(root: &Path) -> Result<BTreeSet<(bool, String)>, Failure> {
+    let mut names = BTreeSet::new();
+    for package in fs::read_dir(root).map_err(at(root))? {
+        let package = package.map_err(at(root))?.path();
+        let tests = package.join("tests");
+        if !package.join("Cargo.toml").is_file() || !tests.is_dir() {
+            continue;
+        }
+        let of_device = package.file_name().is_some_and(|name| name == DEVICE_PACKAGE);
+        for file in fs::read_dir(&tests).map_err(at(&tests))? {
+            let file = file.map_err(at(&tests))?.path();
+            let name = file.file_stem().and_then(|stem| stem.to_str());
+            if let Some(name) = name.filter(|_| file.extension().is_some_and(|extension| extension == "rs")) {
+                names.insert((of_device, name.to_owned()));
+            }
+        }
+    }
+    Ok(names)
 }
 
 /// Collects snapshots that wait for review.

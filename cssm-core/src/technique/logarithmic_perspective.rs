@@ -44,8 +44,8 @@ const AT_RIGHT_ANGLES: f64 = 1.0;
 const WARP: WarpSpec =
     WarpSpec { choice: SPEC.choice, warp: |warped| warp_family::rising_to(AT_RIGHT_ANGLES, warped) };
 
-/// Least strength: weaker ones are uniform to any eye.
-const WEAKEST: f64 = 1e-3;
+/// Least strength: weaker ones are uniform to any eye, and a logarithm of what hardly changes would lose f32 its digits.
+const WEAKEST: f64 = 0.05;
 
 fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
     let receivers = &situation.receivers;

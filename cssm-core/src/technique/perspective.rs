@@ -80,7 +80,7 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
         return Ok(vec![warp::single(word.name, rows, situation.receivers.clone(), None)]);
     }
     let space = PostSpace::of(situation, seen);
-    let directions: Vec<_> = seen.iter().map(|point| space.from_light(*point)).collect();
+    let directions: Vec<_> = seen.iter().map(|point| space.ray_to(*point)).collect();
     let axis = cone::narrowest(&directions);
 
     // The paper takes any up vector; how the map's square lies around the outline matters all the same, so that the better

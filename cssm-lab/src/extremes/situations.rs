@@ -74,7 +74,9 @@ impl Axis {
             Self::LightAngle => {
                 "0 to 1e-2 rad off the view axis, corner and edge rays, the near plane, up and sideways, both ways"
             }
-            Self::Scale => "1e-30 to 1e12 times; boxes without volume, denormal, huge, elsewhere",
+            Self::Scale => {
+                "1e-30 to 1e9 times, a far plane at 1e12 m; boxes without volume, denormal, huge, elsewhere"
+            }
             Self::Map => "1 to 16384 texels, D32 and D16",
             Self::Together => "seeded draws of all",
         }
@@ -118,12 +120,21 @@ struct Camera {
     fov_degrees: f64,
     aspect: f64,
     offset: f64,
+    /// The eye above the ground: world coordinates hold no scene that is much smaller than its distance from the origin.
+    eye_height: f64,
     /// Pitched down and turned, so that no axis of the world is one of the camera's.
     turned: bool,
 }
 
-const CAMERA: Camera =
-    Camera { near: 0.2, far: 1000.0, fov_degrees: 60.0, aspect: 1.0, offset: 0.0, turned: false };
+const CAMERA: Camera = Camera {
+    near: 0.2,
+    far: 1000.0,
+    fov_degrees: 60.0,
+    aspect: 1.0,
+    offset: 0.0,
+    eye_height: EYE_HEIGHT,
+    turned: false,
+};
 /// Lines of every image.
 const LINES: f64 = 1080.0;
 /// Side of the map where it is not swept.
@@ -140,7 +151,7 @@ const DRAWS: usize = 120;
 
 impl Camera {
     fn view(&self) -> Result<View, LabError> {
-        let eye = DVec3::new(0.6, -0.3, 0.7) * self.offset + DVec3::Y * EYE_HEIGHT;
+        let eye = DVec3::new(0.6, -0.3, 0.7) * self.offset + DVec3::Y * self.eye_height;
         let ahead = if self.turned { DVec3::new(0.5, -0.2, -0.8) } else { DVec3::NEG_Z };
         // A target as far as the eye keeps the direction at any offset.
         let target = eye + ahead * (1.0 + self.offset);
@@ -169,12 +180,12 @@ impl Camera {
         let view = self.view()?;
         let light = place.light(kind, &view, self.reach())?;
         let ground = WorldPlane {
-            point_world: view.eye_world - DVec3::Y * EYE_HEIGHT,
+            point_world: view.eye_world - DVec3::Y * self.eye_height,
             normal_world: DVec3::new(0.01, 1.0, -0.02),
         };
         let bounds = SceneBounds {
             receivers: None,
-            eye_height_metres: Some(EYE_HEIGHT),
+            eye_height_metres: Some(self.eye_height),
             dominant_plane: Some(ground),
         };
         Ok(Situation {
@@ -223,7 +234,8 @@ pub fn situations(kind: LightKind) -> Result<Vec<Situation>, LabError> {
     sweep(Axis::Offset, [0.0, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8].iter().map(far_off).collect())?;
     let scales = [1e-30, 1e-20, 1e-10, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9];
     let scaled = |scale: &f64| {
-        (format!("scale {scale:e}"), Camera { near: 0.2 * scale, far: 1000.0 * scale, ..CAMERA })
+        let (near, far) = (0.2 * scale, 1000.0 * scale);
+        (format!("scale {scale:e}"), Camera { near, far, eye_height: EYE_HEIGHT * scale, ..CAMERA })
     };
     sweep(Axis::Scale, scales.iter().map(scaled).collect())?;
 
@@ -324,6 +336,7 @@ fn together(kind: LightKind) -> Result<Vec<Situation>, LabError> {
             fov_degrees: [0.5, 1.0, 10.0, 60.0, 100.0, 150.0, 175.0][random.below(7)],
             aspect: libm::pow(20.0, random.between(-1.0, 1.0)),
             offset: [0.0, 1e3, 1e6, 1e8][random.below(4)],
+            eye_height: EYE_HEIGHT,
             turned: random.below(2) == 0,
         };
         let special = lights::special(kind, &camera.view()?, &OFFS);

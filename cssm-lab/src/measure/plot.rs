@@ -37,6 +37,8 @@ const COLOURS: [RGBColor; 12] = [
     RGBColor(128, 0, 0),
     RGBColor(110, 130, 140),
 ];
+/// Lines of a legend beside its entries.
+const LEGEND_HEADINGS: usize = 6;
 /// Most labels of an axis.
 const TICKS: usize = 10;
 /// Error of a case without any wrong pixel, so that it has a place on a logarithmic axis.
@@ -101,7 +103,11 @@ pub fn svg(results: &Results) -> Result<String, MeasureError> {
     let costs = costs(&rows);
     let mut text = String::new();
     {
-        let height = PANEL_HEIGHT * costs.len().max(1) as u32;
+        // Panels are as high as the longest legend.
+        let longest = costs.iter().map(|cost| on_front(&rows, *cost).len()).max().unwrap_or(0);
+        let lines = techniques(results).len() + 2 * longest + LEGEND_HEADINGS;
+        let panel = PANEL_HEIGHT.max(LINE_PIXELS as u32 * lines as u32);
+        let height = panel * costs.len().max(1) as u32;
         let root = SVGBackend::with_string(&mut text, (WIDTH, height)).into_drawing_area();
         let drawn = root.fill(&WHITE).map_err(fault).and_then(|()| {
             let panels = root.split_evenly((costs.len().max(1), 1));

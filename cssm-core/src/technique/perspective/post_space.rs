@@ -54,7 +54,7 @@ impl PostSpace {
     }
 
     /// The direction from the light, or for one behind the camera towards its inverse, to a point.
-    pub(super) fn from_light(&self, point: DVec4) -> DVec3 {
+    pub(super) fn ray_to(&self, point: DVec4) -> DVec3 {
         let [x, y, z] = self.axes.map(|axis| axis.dot(point));
         let place = DVec3::new(x, y, z) / self.depth.dot(point);
         (place * self.light.w - self.light.truncate()).normalize_or_zero()

@@ -141,7 +141,8 @@ mod tests {
             assert!(omni.iter().any(|name| name == wanted), "{wanted} in {omni:?}");
         }
         assert!(names(LightKind::Spot).iter().any(|name| name == "spot light_projection"));
-        assert!(!names(LightKind::Directional).iter().any(|name| name.contains("cube")));
+        assert!(names(LightKind::Directional).iter().any(|name| name == "directional trapezoidal"));
+        assert!(!names(LightKind::Directional).iter().any(|name| name == "directional cube"));
     }
 
     #[test]

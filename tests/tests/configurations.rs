@@ -35,7 +35,7 @@ fn distributions() -> [(&'static str, Word, Stretch); 5] {
 
 /// A light under a configuration.
 struct Combination {
-    /// `omni.face_columns`
+    /// `omni.face_columns`, `directional.parallel_split.slabs`
     name: String,
     /// The cases, by distribution; one without a name where the configuration takes none.
     cases: Vec<(&'static str, LightCase)>,
@@ -64,7 +64,9 @@ fn combinations() -> Vec<Combination> {
                         })
                         .collect(),
                 };
-                combinations.push(Combination { name: format!("{}.{name}", light.name()), cases });
+                let own = technique.choice.name == "camera_space";
+                let peer = if own { String::new() } else { format!("{}.", technique.choice.name) };
+                combinations.push(Combination { name: format!("{}.{peer}{name}", light.name()), cases });
             }
         }
     }

@@ -1,4 +1,4 @@
-// Generated from light case `Pssm4Log`, 6ce5e7d5709b3dda. Do not edit.
+// Generated from light case `Pssm4Log`, ad1a933ad90ae09c. Do not edit.
 
 /// Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 /// measure that other cases are compared with at equal texels.
@@ -24,6 +24,7 @@ pub mod pssm_log {
                 [
                     ("splits", Value::Count(4)),
                     ("scheme", Value::Word(Word::plain("logarithmic"))),
+                    ("warp", Value::Word(Word::plain("none"))),
                 ],
             ),
             configurations: Vec::from([Word::plain("slabs")]),
@@ -193,7 +194,7 @@ pub mod pssm_log {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Pssm4Log"),
             prefix: Cow::Borrowed("pssm_log"),
-            fingerprint: 0x6ce5e7d5709b3dda,
+            fingerprint: 0xad1a933ad90ae09c,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -569,7 +570,7 @@ pub mod pssm_log {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 6ce5e7d5709b3dda. Do not edit.
+// Generated from light case `Pssm4Log`, ad1a933ad90ae09c. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmLogCapture {
@@ -634,7 +635,7 @@ fn pssm_log_capture_vertex(vertex: PssmLogCasterVertex) -> @builtin(position) ve
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 6ce5e7d5709b3dda. Do not edit.
+// Generated from light case `Pssm4Log`, ad1a933ad90ae09c. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmLogCapture {
@@ -726,7 +727,7 @@ fn pssm_log_capture_clamped_fragment(caster: PssmLogClampedCaster) -> @builtin(f
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 6ce5e7d5709b3dda. Do not edit.
+// Generated from light case `Pssm4Log`, ad1a933ad90ae09c. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1005,7 +1006,7 @@ fn pssm_log_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) v
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 6ce5e7d5709b3dda. Do not edit.
+// Generated from light case `Pssm4Log`, ad1a933ad90ae09c. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

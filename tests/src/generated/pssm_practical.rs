@@ -1,4 +1,4 @@
-// Generated from light case `Pssm4Practical`, 5f748a1294133db1. Do not edit.
+// Generated from light case `Pssm4Practical`, 9037078efd411107. Do not edit.
 
 /// Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 /// engines have them.
@@ -29,6 +29,7 @@ pub mod pssm_practical {
                             Word::with("practical", [("lambda", Value::Number(0.5))]),
                         ),
                     ),
+                    ("warp", Value::Word(Word::plain("none"))),
                 ],
             ),
             configurations: Vec::from([Word::plain("slabs")]),
@@ -198,7 +199,7 @@ pub mod pssm_practical {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Pssm4Practical"),
             prefix: Cow::Borrowed("pssm_practical"),
-            fingerprint: 0x5f748a1294133db1,
+            fingerprint: 0x9037078efd411107,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -574,7 +575,7 @@ pub mod pssm_practical {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 5f748a1294133db1. Do not edit.
+// Generated from light case `Pssm4Practical`, 9037078efd411107. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmPracticalCapture {
@@ -639,7 +640,7 @@ fn pssm_practical_capture_vertex(vertex: PssmPracticalCasterVertex) -> @builtin(
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 5f748a1294133db1. Do not edit.
+// Generated from light case `Pssm4Practical`, 9037078efd411107. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmPracticalCapture {
@@ -731,7 +732,7 @@ fn pssm_practical_capture_clamped_fragment(caster: PssmPracticalClampedCaster) -
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 5f748a1294133db1. Do not edit.
+// Generated from light case `Pssm4Practical`, 9037078efd411107. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_PRACTICAL_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1010,7 +1011,7 @@ fn pssm_practical_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @locatio
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 5f748a1294133db1. Do not edit.
+// Generated from light case `Pssm4Practical`, 9037078efd411107. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_PRACTICAL_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

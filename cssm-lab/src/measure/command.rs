@@ -31,8 +31,8 @@ pub struct MeasureArguments {
     /// cases of a declaration file, or names of techniques with commas between
     #[arg(long, value_name = "all|variants|FILE.cssm|NAMES", default_value = "all")]
     cases: String,
-    /// The built-in view paths, or a JSON file of your own
-    #[arg(long, value_name = "builtin|FILE", default_value = "builtin")]
+    /// The built-in view paths, the same at stations that tuning does not see, or a JSON file of your own
+    #[arg(long, value_name = "builtin|unseen|FILE", default_value = "builtin")]
     views: String,
     /// Most stations of each path; 0: all
     #[arg(long, default_value_t = 4)]
@@ -169,6 +169,7 @@ fn view_paths(
 ) -> Result<Vec<ViewPath>, LabError> {
     let paths = match arguments.views.as_str() {
         "builtin" => paths::builtin(scene, tracer, arguments.pixels)?,
+        "unseen" => paths::unseen(scene, tracer, arguments.pixels)?,
         file => paths::from_file(file.as_ref(), arguments.pixels)?,
     };
     Ok(paths.into_iter().map(|path| path.thinned(arguments.stations)).collect())

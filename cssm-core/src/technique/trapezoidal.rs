@@ -4,7 +4,7 @@
 //! Base and top line are orthogonal to the centre line and touch the outline; the side lines run from a point q on the
 //! centre line, which is placed so that the end of a focus region falls on a line of the map: the 80 % line, or, by
 //! search over map rows, the line with which the focus region covers most of the map (section 6.2). In the terms of
-//! [`super::warp`] the line's share s and the focus region's share r of the extent give the strength
+//! `warp` the line's share s and the focus region's share r of the extent give the strength
 //! (s - r) / (r (1 - s)).
 //!
 //! The `focused` rule mends two problems that the parallel-split slides show. The original measures the focus on the

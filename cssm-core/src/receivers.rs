@@ -200,7 +200,8 @@ pub(crate) fn is_negligible(value: f64, row: DVec4, vertex: DVec4) -> bool {
     value.abs() <= ALONG_LIGHT * terms
 }
 
-fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
+/// Smallest and largest of some values; infinite, the wrong way round, where there are none.
+pub(crate) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |range, value| (range.0.min(value), range.1.max(value)))
 }
 

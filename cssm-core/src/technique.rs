@@ -22,7 +22,7 @@ use crate::case::{CaseError, LightCase, LightKind};
 use crate::facet::{Cell, FacetShape, Selection};
 use crate::light::LightPosition;
 use crate::plan::{DominantFacet, PlanError};
-use crate::receivers::Polytope;
+use crate::receivers::{Polytope, extremes};
 use crate::remap::Curve;
 use crate::schema::{Choice, Word};
 use crate::view::View;
@@ -214,9 +214,7 @@ fn enclosing(rows: &[DVec4; 3], points: &[DVec4]) -> Vec<DVec4> {
             let scale = w.dot(*point);
             (scale > 0.0).then(|| row.dot(*point) / scale)
         });
-        let (low, high) = ratios.fold((f64::INFINITY, f64::NEG_INFINITY), |range, ratio| {
-            (range.0.min(ratio), range.1.max(ratio))
-        });
+        let (low, high) = extremes(ratios);
         [row - w * low, w * high - row]
     };
     let sides: Vec<DVec4> = [x, y].into_iter().flat_map(limits).collect();

@@ -14,6 +14,7 @@ use crate::case::LightKind;
 use crate::facet::{FacetRows, FacetShape};
 use crate::plan::PlanError;
 use crate::polygon;
+use crate::receivers::extremes;
 use crate::remap::Remap;
 use crate::schema::{Choice, Default, Field, Kind, Word};
 
@@ -76,10 +77,7 @@ pub(super) fn least_area(plane: &LightPlane, points: &[DVec4]) -> LightPlane {
     let angle_and_area = |(one, two): (&DVec2, &DVec2)| {
         let axis = (*two - *one).try_normalize()?;
         let extent = |axis: DVec2| {
-            let places = outline.iter().map(|corner| axis.dot(*corner));
-            let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |range, place| {
-                (range.0.min(place), range.1.max(place))
-            });
+            let (low, high) = extremes(outline.iter().map(|corner| axis.dot(*corner)));
             high - low
         };
         Some((axis, extent(axis) * extent(axis.perp())))

@@ -10,7 +10,7 @@ use super::{
     only_directional, slabs,
 };
 use crate::case::LightKind;
-use crate::facet::{Cell, FacetShape, Selection};
+use crate::facet::{Cell, FacetShape};
 use crate::plan::PlanError;
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::schema::{Choice, Default, Field, Kind, Word};
@@ -74,17 +74,10 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let (near, far) = situation.receivers.range(DEPTH_ROW);
     let limits = slabs::limits_metres(situation.case, near, far);
 
-    // A slab selects receivers; it does not contain the light, so no caster may be cut with it.
     let mut fallback: Option<Fallback> = None;
     let facets = (0..splits).map(|index| {
         let slab = index as usize;
-        let mut select = Vec::new();
-        if index > 0 {
-            select.push(DEPTH_ROW - DVec4::W * limits[slab - 1]);
-        }
-        if index + 1 < splits {
-            select.push(DVec4::W * limits[slab] - DEPTH_ROW);
-        }
+        let select = slabs::select(&limits, slab);
         let receivers = situation.receivers.cut_by(&select);
         let (rows, given) = rows(situation, &receivers);
         fallback = [fallback, given].into_iter().flatten().max_by(|one, two| one.share.total_cmp(&two.share));
@@ -101,11 +94,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         complete: true,
         fallback,
         facets,
-        selection: Selection {
-            distances: vec![DEPTH_ROW],
-            thresholds: vec![limits],
-            ..Selection::around(1, splits)
-        },
+        selection: slabs::selection(limits),
     }])
 }
 

@@ -1,7 +1,11 @@
 //! Depth slabs along the view: where their limits lie, and how many texels each has (parallel-split slides, "view frustum
 //! split").
 
+use glam::DVec4;
+
 use crate::case::{CaseError, LightCase};
+use crate::facet::Selection;
+use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Default, Field, Kind, Unit};
 
 const SCHEMES: &[Choice] = &[
@@ -59,6 +63,20 @@ pub(super) fn check(case: &LightCase) -> Vec<CaseError> {
         }],
         _ => Vec::new(),
     }
+}
+
+/// Half-spaces of a slab's own receivers. A slab does not contain the light, so no caster may be cut with them.
+pub(super) fn select(limits_metres: &[f64], slab: usize) -> Vec<DVec4> {
+    let farther = slab.checked_sub(1).and_then(|before| limits_metres.get(before));
+    let farther = farther.map(|limit| DEPTH_ROW - DVec4::W * *limit);
+    let nearer = limits_metres.get(slab).map(|limit| DVec4::W * *limit - DEPTH_ROW);
+    farther.into_iter().chain(nearer).collect()
+}
+
+/// The walk of the slabs between inner limits.
+pub(super) fn selection(limits_metres: Vec<f64>) -> Selection {
+    let splits = limits_metres.len() as u32 + 1;
+    Selection { distances: vec![DEPTH_ROW], thresholds: vec![limits_metres], ..Selection::around(1, splits) }
 }
 
 /// Depths of the inner limits, ascending (parallel-split slides, "split schemes").

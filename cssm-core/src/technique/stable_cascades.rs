@@ -12,7 +12,7 @@ use super::{
     slabs, standard::light_plane_axes,
 };
 use crate::case::{LightCase, LightKind};
-use crate::facet::{Cell, FacetShape, Selection};
+use crate::facet::{Cell, FacetShape};
 use crate::plan::PlanError;
 use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Word};
@@ -74,13 +74,7 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
             let from_eye = snapped - axis.dot(view.eye_world);
             ((to_camera * axis).extend(-from_eye)) / (0.5 * texels * texel)
         };
-        let mut select = Vec::new();
-        if slab > 0 {
-            select.push(DEPTH_ROW - DVec4::W * ends[slab]);
-        }
-        if slab + 1 < splits as usize {
-            select.push(DVec4::W * ends[slab + 1] - DEPTH_ROW);
-        }
+        let select = slabs::select(&limits, slab);
         let receivers = situation.receivers.cut_by(&select);
         let rows = [row(right.truncate(), width), row(up.truncate(), height), DVec4::W];
         let region = Region::Whole(TileRequest::Fixed(width, height));
@@ -92,11 +86,7 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
         complete: true,
         fallback: None,
         facets: (0..splits as usize).map(facet).collect(),
-        selection: Selection {
-            distances: vec![DEPTH_ROW],
-            thresholds: vec![limits],
-            ..Selection::around(1, splits)
-        },
+        selection: slabs::selection(limits),
     }])
 }
 

@@ -24,7 +24,7 @@ use glam::{DVec2, DVec3, DVec4};
 
 pub use self::search::FocusTable;
 use super::warp::{self, LightPlane, Warp, WarpSpec, Warped, smooth};
-use super::{ConfigurationSpec, Fallback, Situation, TechniqueSpec};
+use super::{ConfigurationSpec, Fallback, TechniqueSpec};
 use crate::case::LightKind;
 use crate::facet::FacetShape;
 use crate::receivers::{DEPTH_ROW, Polytope};
@@ -128,31 +128,10 @@ impl FocusRule {
 const STRONGEST: f64 = 1e6;
 
 fn warp(warped: &Warped<'_>) -> Warp {
-    let word = |name: &str| warped.arguments.word(name).map(|word| word.name);
-    let focused = word("rule") == Some("focused");
-    let (plane, beside) = centre_line(warped);
-    let (low, extent) = plane.extent(warped.receivers);
-    let focus = focus_depth(warped);
-
-    // Find the point or the line that goes to the focus line.
-    let region = warped.receivers.cut_by(&[DVec4::W * focus - DEPTH_ROW]);
-    let on_line = plane.image(middle(warped.receivers, focus)).map_or(low + extent, |image| image.y);
-    let end = if focused { plane.extent(&region).0 + plane.extent(&region).1 } else { on_line };
-    let to_eye = match plane.image(DVec4::W) {
-        Some(eye) if focused && low > eye.y => extent / (low - eye.y),
-        _ => STRONGEST,
-    };
-    let rule = FocusRule {
-        region: ((end - low) / extent).clamp(0.0, 1.0),
-        share: warped.arguments.number("share").unwrap_or(0.8),
-        strongest: to_eye.min(STRONGEST),
-    };
-    let share = if word("line") == Some("fixed") {
-        rule.share
-    } else {
-        let rows = warped.situation.case.map.height;
-        search::largest_region(&plane, warped.receivers, &region, &rule, rows)
-    };
+    let fixed = warped.arguments.word("line").is_some_and(|line| line.name == "fixed");
+    let focused = Focused::of(warped);
+    let share = if fixed { focused.rule.share } else { focused.best_share(warped) };
+    let Focused { plane, beside, rule, .. } = focused;
 
     // Relax towards the box around the far plane where the centre line loses its direction.
     let boxed = 1.0 - smooth(beside / COINCIDENT);
@@ -160,6 +139,47 @@ fn warp(warped: &Warped<'_>) -> Warp {
     let plane = plane.turned(boxed * to_box(&plane, warped.receivers));
     let why = "the centres of the near and the far plane coincide in the light's view";
     Warp { plane, strength, fallback: Fallback::of("the box around the far plane", why, boxed) }
+}
+
+/// The focus region of some receivers.
+struct Focused {
+    /// The light's image plane along the centre line.
+    plane: LightPlane,
+    /// Distance between the images of the centres, see [`centre_line`].
+    beside: f64,
+    /// What lies before the focus.
+    region: Polytope,
+    rule: FocusRule,
+}
+
+impl Focused {
+    fn of(warped: &Warped<'_>) -> Self {
+        let focused = warped.arguments.word("rule").is_some_and(|rule| rule.name == "focused");
+        let (plane, beside) = centre_line(warped);
+        let (low, extent) = plane.extent(warped.receivers);
+        let focus = focus_depth(warped);
+
+        // Find the point or the line that goes to the focus line.
+        let region = warped.receivers.cut_by(&[DVec4::W * focus - DEPTH_ROW]);
+        let on_line = plane.image(middle(warped.receivers, focus)).map_or(low + extent, |image| image.y);
+        let end = if focused { plane.extent(&region).0 + plane.extent(&region).1 } else { on_line };
+        let to_eye = match plane.image(DVec4::W) {
+            Some(eye) if focused && low > eye.y => extent / (low - eye.y),
+            _ => STRONGEST,
+        };
+        let rule = FocusRule {
+            region: ((end - low) / extent).clamp(0.0, 1.0),
+            share: warped.arguments.number("share").unwrap_or(0.8),
+            strongest: to_eye.min(STRONGEST),
+        };
+        Self { plane, beside, region, rule }
+    }
+
+    /// The share of the map's rows before the focus line with which the region covers most of the map.
+    fn best_share(&self, warped: &Warped<'_>) -> f64 {
+        let rows = warped.situation.case.map.height;
+        search::largest_region(&self.plane, warped.receivers, &self.region, &self.rule, rows)
+    }
 }
 
 /// The light's image plane along the centre line, and the distance between the images of the centres in half sides of the
@@ -218,22 +238,4 @@ fn to_box(plane: &LightPlane, receivers: &Polytope) -> f64 {
     let angle = libm::atan2((two - one).y, (two - one).x);
     let quarter = std::f64::consts::FRAC_PI_2;
     angle - quarter * libm::round(angle / quarter)
-}
-
-/// The focus rule of a situation and its plane, for tables of the best focus lines.
-pub(super) fn rule_of(situation: &Situation<'_>) -> (LightPlane, Polytope, FocusRule) {
-    let warped = Warped {
-        situation,
-        arguments: &situation.case.technique.arguments,
-        receivers: &situation.receivers,
-        depths_metres: situation.receivers.range(DEPTH_ROW),
-        plane: LightPlane::along(situation, DVec3::NEG_Z),
-    };
-    let (plane, _) = centre_line(&warped);
-    let focus = focus_depth(&warped);
-    let region = situation.receivers.cut_by(&[DVec4::W * focus - DEPTH_ROW]);
-    let (low, extent) = plane.extent(&situation.receivers);
-    let end = plane.image(middle(&situation.receivers, focus)).map_or(low + extent, |image| image.y);
-    let share = situation.case.technique.arguments.number("share").unwrap_or(0.8);
-    (plane, region, FocusRule { region: ((end - low) / extent).clamp(0.0, 1.0), share, strongest: STRONGEST })
 }

@@ -125,7 +125,18 @@ impl LightPlane {
     }
 }
 
-impl Warped<'_> {
+impl<'a> Warped<'a> {
+    /// Everything visible, with the parameters of the case's technique.
+    pub(super) fn of_view(situation: &'a Situation<'a>) -> Self {
+        Self {
+            situation,
+            arguments: &situation.case.technique.arguments,
+            receivers: &situation.receivers,
+            depths_metres: situation.receivers.range(DEPTH_ROW),
+            plane: LightPlane::along(situation, DVec3::NEG_Z),
+        }
+    }
+
     /// The warp along the view axis with a strength.
     pub(super) fn of_strength(&self, strength: f64, fallback: Option<Fallback>) -> Warp {
         Warp { plane: self.plane, strength, fallback }
@@ -156,14 +167,7 @@ pub(super) fn smooth(value: f64) -> f64 {
 
 /// The warp of everything visible.
 pub(super) fn of_view(spec: &WarpSpec, situation: &Situation<'_>) -> Warp {
-    let warped = Warped {
-        situation,
-        arguments: &situation.case.technique.arguments,
-        receivers: &situation.receivers,
-        depths_metres: situation.receivers.range(DEPTH_ROW),
-        plane: LightPlane::along(situation, DVec3::NEG_Z),
-    };
-    (spec.warp)(&warped)
+    (spec.warp)(&Warped::of_view(situation))
 }
 
 /// One facet over the whole map.

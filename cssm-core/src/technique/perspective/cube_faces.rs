@@ -75,14 +75,15 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
         vec![end(0, own, other, None)]
     };
 
-    let faces = Faces { situation, slide: slide_back(situation, near, far).0, corners };
+    let (slide, fallback) = slide_back(situation, near, far);
+    let faces = Faces { situation, slide, corners };
     let mut facets: Vec<FacetDraft> = ends.iter().map(|end| faces.end(end)).collect();
     facets.extend(sides.iter().enumerate().map(|(index, side)| faces.side(index, side, &ends)));
     Ok(vec![Draft {
         configuration: word.name,
         form: "",
         complete: LightPosition::of(situation.view, light) != LightPosition::AtEye,
-        fallback: slide_back(situation, near, far).1,
+        fallback,
         selection: selection(&sides, &ends, between.then_some(depth)),
         facets,
     }])

@@ -3,13 +3,13 @@
 
 use glam::DVec4;
 
-use super::FocusRule;
+use super::{FocusRule, Focused};
 use crate::facet::FacetRows;
 use crate::polygon;
-use crate::receivers::Polytope;
+use crate::receivers::{Polytope, extremes};
 use crate::remap::Remap;
 use crate::technique::Situation;
-use crate::technique::warp::LightPlane;
+use crate::technique::warp::{LightPlane, Warped};
 
 /// Rows of which one is tried at first; its neighbours follow.
 const COARSE_STEPS: u32 = 32;
@@ -48,11 +48,7 @@ pub(super) fn region_area(
     strength: f64,
 ) -> f64 {
     let [x, y, w] = plane.rows(receivers, strength);
-    let extent = |row: DVec4| {
-        let ratios = outline.iter().map(|vertex| row.dot(*vertex) / w.dot(*vertex));
-        ratios
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |range, ratio| (range.0.min(ratio), range.1.max(ratio)))
-    };
+    let extent = |row: DVec4| extremes(outline.iter().map(|vertex| row.dot(*vertex) / w.dot(*vertex)));
     let ((left, right), (bottom, top)) = (extent(x), extent(y));
     let rows = FacetRows { x, y, z: w, w, remap: Remap::NONE };
     let area = polygon::area(&polygon::outline(&rows, region));
@@ -79,9 +75,8 @@ impl FocusTable {
         let share = |step: u32| {
             let angle = std::f64::consts::FRAC_PI_2 * f64::from(step) / f64::from(steps.max(1));
             let situation = situation(angle);
-            let (plane, region, rule) = super::rule_of(&situation);
-            let rows = situation.case.map.height;
-            largest_region(&plane, &situation.receivers, &region, &rule, rows)
+            let warped = Warped::of_view(&situation);
+            Focused::of(&warped).best_share(&warped)
         };
         Self { shares: (0..=steps.max(1)).map(share).collect() }
     }

@@ -16,25 +16,10 @@ pub(crate) struct Atlas {
 }
 
 impl Atlas {
-    /// Creates the map; to be called under an error scope.
-    pub(crate) fn new(device: &wgpu::Device, table: &CaseTable) -> Self {
-        let label = format!("{} map", table.prefix);
-        let texture = device.create_texture(&wgpu::TextureDescriptor {
-            label: Some(&label),
-            size: wgpu::Extent3d {
-                width: table.map_width,
-                height: table.map_height,
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: texture_format(table.map_format),
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
-                | wgpu::TextureUsages::TEXTURE_BINDING
-                | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
+    /// The map in a texture of its own, or in one that other tables of equal maps share; to be called under an error
+    /// scope.
+    pub(crate) fn new(device: &wgpu::Device, table: &CaseTable, shared: Option<&wgpu::Texture>) -> Self {
+        let texture = shared.cloned().unwrap_or_else(|| own_texture(device, table));
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
         let comparison = ByOrder::new(table, |order| {
             let compare = match order {
@@ -63,6 +48,33 @@ impl Atlas {
             _ => None,
         }
     }
+}
+
+fn own_texture(device: &wgpu::Device, table: &CaseTable) -> wgpu::Texture {
+    let label = format!("{} map", table.prefix);
+    depth_texture(device, &label, texture_format(table.map_format), table.map_width, table.map_height)
+}
+
+/// A depth texture to draw into, to read and to copy from.
+pub(crate) fn depth_texture(
+    device: &wgpu::Device,
+    label: &str,
+    format: wgpu::TextureFormat,
+    width: u32,
+    height: u32,
+) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+            | wgpu::TextureUsages::TEXTURE_BINDING
+            | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
 }
 
 /// The texture format of a declared one.

@@ -6,8 +6,12 @@ mod stretched;
 pub(crate) use pipelines::{Attribute, CapturePipelines, VertexKey};
 pub(crate) use stretched::{Fetched, Stretched, StretchedMesh, fetches_by_itself, vertex_storage_buffers};
 
-use crate::commands::Command;
-use crate::frame::PreparedFrame;
+use cssm_core::facet::Tile;
+use cssm_core::plan::DepthOrder;
+
+use crate::commands::{Command, FrameCommands};
+use crate::cull::InstanceRows;
+use crate::frame::{PreparedFrame, Slot};
 use crate::mesh::{Mesh, MeshHandle};
 
 /// Vertex buffer slot of the engine's positions.
@@ -16,6 +20,15 @@ const POSITION_SLOT: u32 = 0;
 const INSTANCE_SLOT: u32 = 1;
 /// Vertex buffer slot of the texture coordinates of alpha masks.
 const UV_SLOT: u32 = 2;
+
+/// What draws read besides meshes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Records<'a> {
+    pub(crate) slot: &'a Slot,
+    /// Distance between the records of facets in bytes.
+    pub(crate) facet_stride: u64,
+    pub(crate) order: DepthOrder,
+}
 
 impl CapturePipelines {
     /// Records the one render pass of a frame.
@@ -42,35 +55,42 @@ impl CapturePipelines {
             timestamp_writes: timestamps,
             ..Default::default()
         });
-        if frame.commands.commands.is_empty() {
+        let records = Records { slot: &frame.slot, facet_stride, order: frame.depth_order };
+        self.record(&mut pass, &frame.commands, records, 0, meshes);
+    }
+
+    /// Records commands into a pass; their instance rows begin at `first_row` of the slot's.
+    pub(crate) fn record<'m>(
+        &self,
+        pass: &mut wgpu::RenderPass,
+        commands: &FrameCommands,
+        records: Records<'_>,
+        first_row: usize,
+        meshes: impl Fn(MeshHandle) -> Option<&'m Mesh>,
+    ) {
+        if commands.commands.is_empty() {
             return;
         }
-        pass.set_vertex_buffer(INSTANCE_SLOT, frame.slot.instances.slice(..));
-        for command in &frame.commands.commands {
+        let Records { slot, facet_stride, order } = records;
+        let first_byte = first_row as u64 * InstanceRows::BYTES;
+        pass.set_vertex_buffer(INSTANCE_SLOT, slot.instances.slice(first_byte..));
+        for command in &commands.commands {
             match command {
                 Command::Facet { facet, tile } => {
                     let offset = u64::from(facet.0) * facet_stride;
-                    pass.set_bind_group(0, &frame.slot.capture_group, &[offset as u32]);
-                    pass.set_viewport(
-                        tile.x as f32,
-                        tile.y as f32,
-                        tile.width as f32,
-                        tile.height as f32,
-                        0.0,
-                        1.0,
-                    );
-                    pass.set_scissor_rect(tile.x, tile.y, tile.width, tile.height);
+                    pass.set_bind_group(0, &slot.capture_group, &[offset as u32]);
+                    confine(pass, tile);
                 }
                 Command::Pipeline(handle) => {
-                    if let Some(pipeline) = self.pipeline(*handle, frame.depth_order) {
+                    if let Some(pipeline) = self.pipeline(*handle, order) {
                         pass.set_pipeline(pipeline);
                     }
                 }
                 Command::Mesh(handle) => {
                     if let Some(mesh) = meshes(*handle) {
-                        mesh.bind(&mut pass, POSITION_SLOT);
+                        mesh.bind(pass, POSITION_SLOT);
                         if let Some(mask) = mesh.mask() {
-                            mask.bind(&mut pass, UV_SLOT, self.mask_group());
+                            mask.bind(pass, UV_SLOT, self.mask_group());
                         }
                     }
                 }
@@ -83,4 +103,11 @@ impl CapturePipelines {
             }
         }
     }
+}
+
+/// Confines a pass to a tile.
+pub(crate) fn confine(pass: &mut wgpu::RenderPass, tile: &Tile) {
+    let [x, y, width, height] = [tile.x, tile.y, tile.width, tile.height];
+    pass.set_viewport(x as f32, y as f32, width as f32, height as f32, 0.0, 1.0);
+    pass.set_scissor_rect(x, y, width, height);
 }

@@ -114,7 +114,7 @@ impl SlotPool {
         let size = needed.max(MIN_INSTANCE_BYTES).next_power_of_two().min(limit).max(needed);
 
         // Take a free slot, large ones first; the pool holds the only reference to a free one.
-        self.slots.sort_by_key(|slot| std::cmp::Reverse(slot.instances.size()));
+        self.slots.sort_unstable_by_key(|slot| std::cmp::Reverse(slot.instances.size()));
         for slot in &mut self.slots {
             let Some(free) = Arc::get_mut(slot) else { continue };
             if free.instances.size() < needed {

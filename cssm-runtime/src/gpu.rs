@@ -31,12 +31,13 @@ pub(crate) struct Gpu {
 }
 
 impl Gpu {
-    /// Creates the map and the pipelines of a table.
+    /// Creates the pipelines of a table, and the map unless it shares one.
     pub(crate) fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         table: &CaseTable,
         options: &Options,
+        shared_map: Option<&wgpu::Texture>,
     ) -> Result<Self, ServiceError> {
         let limits = device.limits();
         check_records(table)?;
@@ -58,7 +59,7 @@ impl Gpu {
         let uniforms = UniformLayout::new(table, limits.min_uniform_buffer_offset_alignment);
         let layouts = SlotLayouts { capture, shadow, uniforms };
 
-        let atlas = checked(device, "the map", || Atlas::new(device, table))?;
+        let atlas = checked(device, "the map", || Atlas::new(device, table, shared_map))?;
         let capture = CapturePipelines::new(device, table, options.clamp_in_fragments, &layouts.capture)?;
         let mask = MaskPipeline::new(device, table, &layouts, options.mask_format)?;
         let gpu = Self {

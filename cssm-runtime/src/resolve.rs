@@ -108,7 +108,8 @@ impl MaskPipeline {
         })
     }
 
-    /// Records the pass over the whole target.
+    /// Records the pass over the whole target; with a scissor `[x, y, width, height]` what lies outside is lit.
+    #[allow(clippy::too_many_arguments, reason = "one call of the service, each argument of another kind")]
     pub(crate) fn replay(
         &self,
         encoder: &mut wgpu::CommandEncoder,
@@ -116,6 +117,7 @@ impl MaskPipeline {
         frame: &PreparedFrame,
         inputs: &wgpu::BindGroup,
         target: &wgpu::TextureView,
+        scissor: Option<[u32; 4]>,
         timestamps: Option<wgpu::RenderPassTimestampWrites>,
     ) -> Result<(), ServiceError> {
         let input = required_group(table, ShaderKind::Mask, GroupContent::MaskInput)?.group;
@@ -134,6 +136,12 @@ impl MaskPipeline {
             timestamp_writes: timestamps,
             ..Default::default()
         });
+        if let Some([x, y, width, height]) = scissor {
+            if width == 0 || height == 0 {
+                return Ok(());
+            }
+            pass.set_scissor_rect(x, y, width, height);
+        }
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(input, inputs, &[]);
         pass.set_bind_group(shadow, frame.shadow_bind_group(), &[]);

@@ -15,7 +15,7 @@ use crate::mesh::{CasterInstance, CheckedMesh, Mesh, MeshDescription, MeshError,
 use crate::read_back;
 use crate::resolve::MaskInputs;
 use crate::scope::checked;
-use crate::upload::{check_plan, upload};
+use crate::upload::{Plans, check_plan, upload};
 
 /// Choices of the engine that no declaration makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,7 +66,7 @@ impl ShadowService {
         table: &CaseTable,
         options: &Options,
     ) -> Result<Self, ServiceError> {
-        let gpu = Gpu::new(device, queue, table, options)?;
+        let gpu = Gpu::new(device, queue, table, options, None)?;
         Ok(Self { table: table.clone(), options: *options, gpu, meshes: Vec::new() })
     }
 
@@ -149,7 +149,9 @@ impl ShadowService {
         let Gpu { device, queue, atlas, layouts, slots, identity, .. } = &mut self.gpu;
         let rows = commands.rows.len();
         let slot = slots.acquire(device, &self.table, layouts, atlas, rows).and_then(|slot| {
-            let write = || upload(queue, &self.table, &layouts.uniforms, &slot, plan, view, &commands);
+            let plans = Plans { capture: plan, resolve: plan };
+            let rows = [commands.rows.as_slice()];
+            let write = || upload(queue, &self.table, &layouts.uniforms, &slot, plans, view, &rows);
             checked(device, "a frame's upload", write)?;
             Ok(slot)
         });
@@ -216,7 +218,7 @@ impl ShadowService {
         let not_declared = || ServiceError::NotDeclared { case: self.table.case.to_string(), what: "a mask" };
         let mask = mask.as_ref().ok_or_else(not_declared)?;
         let inputs = self.gpu.alive(mask.bind(device, &self.table, layouts, &frame.slot, inputs))?;
-        mask.replay(encoder, &self.table, frame, &inputs, target, timestamps)?;
+        mask.replay(encoder, &self.table, frame, &inputs, target, None, timestamps)?;
         keep_until_done(encoder, frame);
         Ok(())
     }
@@ -265,7 +267,7 @@ impl ShadowService {
     /// # Errors
     /// As [`ShadowService::new`].
     pub fn rebuild(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<(), ServiceError> {
-        self.gpu = Gpu::new(device, queue, &self.table, &self.options)?;
+        self.gpu = Gpu::new(device, queue, &self.table, &self.options, None)?;
         for entry in &mut self.meshes {
             *entry = MeshEntry { generation: entry.generation.wrapping_add(1), mesh: None };
         }

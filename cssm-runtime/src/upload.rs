@@ -5,7 +5,7 @@ use cssm_core::View;
 use cssm_core::plan::DepthOrder;
 use cssm_core::table::{CaseTable, write_capture_record, write_mask_record, write_shadow_record};
 
-use crate::commands::FrameCommands;
+use crate::cull::InstanceRows;
 use crate::error::ServiceError;
 use crate::frame::{Slot, UniformLayout};
 
@@ -64,28 +64,39 @@ pub(crate) fn check_plan(table: &CaseTable, plan: &ShadowPlan, view: &View) -> R
     Ok(())
 }
 
-/// Writes all records and instance rows of a frame; to be called under an error scope.
+/// Writes all records and instance rows of a frame; to be called under an error scope. Capture records come from the
+/// plan that casters are drawn by, the others from the same facets relative to the view.
 pub(crate) fn upload(
     queue: &wgpu::Queue,
     table: &CaseTable,
     layout: &UniformLayout,
     slot: &Slot,
-    plan: &ShadowPlan,
+    plans: Plans<'_>,
     view: &View,
-    commands: &FrameCommands,
+    rows: &[&[InstanceRows]],
 ) {
     let mut bytes = vec![0; layout.size as usize];
     let mut put = |offset: u64, record: Vec<u8>| {
         let offset = offset as usize;
         bytes[offset..offset + record.len()].copy_from_slice(&record);
     };
-    for (position, facet) in plan.facets.iter().enumerate() {
-        put(position as u64 * layout.facet_stride, write_capture_record(table, plan, facet));
+    for (position, facet) in plans.capture.facets.iter().enumerate() {
+        let record = write_capture_record(table, plans.capture, facet);
+        put(position as u64 * layout.facet_stride, record);
     }
-    put(layout.shadow_offset, write_shadow_record(table, plan));
+    put(layout.shadow_offset, write_shadow_record(table, plans.resolve));
     put(layout.mask_offset, write_mask_record(table, view));
     queue.write_buffer(&slot.uniforms, 0, &bytes);
-    if !commands.rows.is_empty() {
-        queue.write_buffer(&slot.instances, 0, bytemuck::cast_slice(&commands.rows));
+    let mut offset = 0;
+    for rows in rows.iter().filter(|rows| !rows.is_empty()) {
+        queue.write_buffer(&slot.instances, offset, bytemuck::cast_slice(rows));
+        offset += rows.len() as u64 * InstanceRows::BYTES;
     }
+}
+
+/// One plan, or the same facets relative to two eyes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Plans<'a> {
+    pub(crate) capture: &'a ShadowPlan,
+    pub(crate) resolve: &'a ShadowPlan,
 }

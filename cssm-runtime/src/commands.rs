@@ -1,26 +1,28 @@
 //! What a capture pass does, as a plain list: built on the CPU, replayed on any encoder.
 //!
-//! [`FrameCommands::build`] needs no device. It subtracts the eye from every transform and turns it to the axes of the
-//! capture in f64, asks every facet which casters' shadows can reach it, and writes the instance rows of each facet
-//! behind one another, sorted by pipeline and mesh, so that one draw covers all instances of a mesh that a facet draws
-//! whole. Instances of which it draws only some clusters follow, with a draw for each range of clusters.
+//! [`FrameCommands::rebuild`] needs no device. It asks every facet which casters of a [`CasterScene`] have shadows that can
+//! reach it, subtracts the eye from their transforms and turns them to the axes of the capture in f64, and writes the
+//! instance rows of each facet behind one another, sorted by pipeline and mesh, so that one draw covers all instances of a
+//! mesh that a facet draws whole. Instances of which it draws only some clusters follow, with a draw for each range of
+//! clusters.
 
 mod bending;
-mod casters;
 mod facet_draws;
 mod ranges;
+mod reach;
 
 use std::ops::Range;
 
 use cssm_core::facet::Tile;
 use cssm_core::{BoundingBox, ShadowPlan};
 
+use crate::casters::CasterScene;
 use crate::clusters::Cluster;
 use crate::cull::InstanceRows;
 use crate::error::ServiceError;
 use crate::mesh::{CasterInstance, MeshHandle};
-use casters::Casters;
-use facet_draws::FacetDraws;
+use facet_draws::{FacetDraws, Gathered, widen};
+use reach::FacetReach;
 
 /// A capture pipeline of the service.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
@@ -130,29 +132,127 @@ pub struct FacetStatistics {
     pub instances: u64,
     /// Triangles submitted.
     pub triangles: u64,
+    /// What the facet draws, as [`FrameCommands::content`] tells it.
+    pub content: u64,
+}
+
+/// Memory for building commands, kept from one list to the next.
+#[derive(Debug, Clone, Default)]
+pub struct CommandScratch {
+    reach: FacetReach,
+    gathered: Gathered,
+}
+
+impl FrameStatistics {
+    /// Counts nothing any more, and keeps its memory.
+    pub fn clear(&mut self) {
+        let Self { casters, draws, instances, triangles, facets } = self;
+        (*casters, *draws, *instances, *triangles) = (0, 0, 0, 0);
+        facets.clear();
+    }
 }
 
 impl FrameCommands {
-    /// Builds the commands of a plan; `facts` finds a mesh.
+    /// Forgets all commands, and keeps their memory.
+    pub fn clear(&mut self) {
+        self.commands.clear();
+        self.rows.clear();
+    }
+
+    /// Replaces the commands by those of some of a plan's facets, given by their positions in its list; `facts` finds a
+    /// mesh. Positions beyond the list are passed over. Nothing is allocated unless a
+    /// list draws more than twice as much as any before.
     ///
     /// # Errors
-    /// [`ServiceError::UnknownMesh`] and [`ServiceError::Transform`], each naming the instance.
-    pub fn build<'m>(
+    /// [`ServiceError::UnknownMesh`] and [`ServiceError::Transform`], each naming the instance, and
+    /// [`ServiceError::TooManyInstances`]. The list is empty then.
+    pub fn rebuild<'m>(
+        &mut self,
         plan: &ShadowPlan,
-        instances: &[CasterInstance],
+        facets: impl IntoIterator<Item = usize>,
+        casters: &CasterScene,
         facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
-    ) -> Result<(Self, FrameStatistics), ServiceError> {
-        let casters = Casters::new(plan, instances, facts)?;
-        let mut draws = FacetDraws::new(&casters);
-        let mut statistics = FrameStatistics { casters: instances.len() as u32, ..Default::default() };
-        for (position, facet) in plan.facets.iter().enumerate() {
-            let counts = draws.add(FacetHandle(position as u32), facet)?;
+        scratch: &mut CommandScratch,
+        statistics: &mut FrameStatistics,
+    ) -> Result<(), ServiceError> {
+        self.clear();
+        statistics.clear();
+        let appended = self.append(plan, facets, casters, facts, scratch, statistics);
+        appended.inspect_err(|_| {
+            self.clear();
+            statistics.clear();
+        })
+    }
+
+    /// Appends the commands of some of a plan's facets, as [`FrameCommands::rebuild`] makes them: for another scene of
+    /// casters in the same facets, or another plan of the same pass. Statistics are added, with further entries for facets.
+    ///
+    /// # Errors
+    /// As [`FrameCommands::rebuild`]; what was appended up to the fault stays.
+    pub fn append<'m>(
+        &mut self,
+        plan: &ShadowPlan,
+        facets: impl IntoIterator<Item = usize>,
+        casters: &CasterScene,
+        facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
+        scratch: &mut CommandScratch,
+        statistics: &mut FrameStatistics,
+    ) -> Result<(), ServiceError> {
+        let room = (self.commands.capacity(), self.rows.capacity(), scratch.gathered.room());
+        statistics.casters += casters.instances().len() as u32;
+        let mut draws = FacetDraws::new(plan, casters, self, scratch);
+        for position in facets {
+            let Some(facet) = plan.facets.get(position) else { continue };
+            let counts = draws.add(FacetHandle(position as u32), facet, &facts)?;
             statistics.draws += counts.draws;
             statistics.instances += counts.instances;
             statistics.triangles += counts.triangles;
             statistics.facets.push(counts);
         }
-        Ok((draws.frame, statistics))
+
+        // Leave room for frames that draw up to twice as much.
+        let (commands, rows) = (self.commands.len(), self.rows.len());
+        widen(&mut self.commands, room.0, commands);
+        widen(&mut self.rows, room.1, rows);
+        scratch.gathered.widen(room.2);
+        Ok(())
+    }
+
+    /// What one facet of a plan draws, as a number that does not depend on the order of casters: as long as neither it nor
+    /// the plan changes, the facet's tile need not be drawn anew. It sums hashes of the meshes and transforms of all
+    /// casters whose boxes the facet's half-spaces reach. Nothing is written and nothing allocated.
+    pub fn content(
+        plan: &ShadowPlan,
+        facet: usize,
+        casters: &CasterScene,
+        scratch: &mut CommandScratch,
+    ) -> u64 {
+        let Some(facet) = plan.facets.get(facet) else { return 0 };
+        let mut content: u64 = 0;
+        scratch.reach.begin(plan, facet);
+        for group in casters.groups() {
+            let mut add = |hash: u64| content = content.wrapping_add(hash);
+            scratch.reach.each(casters, group, |caster, _| add(caster.content));
+        }
+        content
+    }
+
+    /// Builds the commands of a whole plan from a list of instances, without keeping anything; `facts` finds a mesh.
+    ///
+    /// # Errors
+    /// As [`FrameCommands::rebuild`].
+    pub fn build<'m>(
+        plan: &ShadowPlan,
+        instances: &[CasterInstance],
+        facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
+    ) -> Result<(Self, FrameStatistics), ServiceError> {
+        let mut casters = CasterScene::new();
+        casters.update(instances, &facts)?;
+        let (mut frame, mut statistics) = (Self::default(), FrameStatistics::default());
+        let facets = 0..plan.facets.len();
+        let mut scratch = CommandScratch::default();
+        frame.rebuild(plan, facets, &casters, facts, &mut scratch, &mut statistics)?;
+        Ok((frame, statistics))
     }
 
     /// Meshes that the commands draw, with repetitions.

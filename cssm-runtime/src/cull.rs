@@ -49,11 +49,16 @@ impl CentredBox {
     }
 
     /// The smallest box of world axes around a transformed box.
-    pub(crate) fn transformed(self, eye_from_object: &DAffine3) -> Self {
+    pub(crate) fn transformed(self, space_from_object: &DAffine3) -> Self {
         Self {
-            centre: eye_from_object.transform_point3(self.centre),
-            half: eye_from_object.matrix3.abs() * self.half,
+            centre: space_from_object.transform_point3(self.centre),
+            half: space_from_object.matrix3.abs() * self.half,
         }
+    }
+
+    /// A box of world space with the eye at the origin.
+    pub(crate) fn from_eye(&self, eye_world: DVec3) -> Self {
+        Self { centre: self.centre - eye_world, half: self.half }
     }
 
     pub(crate) fn is_finite(&self) -> bool {

@@ -78,6 +78,7 @@
 mod alpha_mask;
 mod atlas;
 mod capture;
+mod casters;
 mod clusters;
 mod commands;
 mod cull;
@@ -96,9 +97,11 @@ mod service;
 mod upload;
 
 pub use alpha_mask::AlphaMask;
+pub use casters::CasterScene;
 pub use clusters::{CLUSTER_TRIANGLES, Cluster, ClusterError, ClusteredTriangles, cluster_triangles};
 pub use commands::{
-    Command, Drawing, FacetHandle, FacetStatistics, FrameCommands, FrameStatistics, MeshFacts, PipelineHandle,
+    Command, CommandScratch, Drawing, FacetHandle, FacetStatistics, FrameCommands, FrameStatistics,
+    MeshFacts, PipelineHandle,
 };
 pub use cssm_core;
 pub use cull::InstanceRows;

@@ -64,6 +64,14 @@ pub struct MeshHandle {
     pub(crate) generation: u32,
 }
 
+impl MeshHandle {
+    /// A handle of an engine that keeps its meshes and replays [`crate::FrameCommands`] by itself. A service takes only
+    /// handles that it has given out.
+    pub const fn new(index: u32, generation: u32) -> Self {
+        Self { index, generation }
+    }
+}
+
 /// One occurrence of a mesh in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CasterInstance {

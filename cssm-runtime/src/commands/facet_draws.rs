@@ -2,163 +2,183 @@
 
 use std::ops::Range;
 
+use cssm_core::ShadowPlan;
 use cssm_core::facet::Facet;
+use cssm_core::glam::{DAffine3, DMat3, DVec3};
 
 use super::bending::Bending;
-use super::casters::{Casters, Group};
 use super::ranges::{Parts, merge};
-use super::{Command, Drawing, FAN_TRIANGLES, FacetHandle, FacetStatistics, FrameCommands, PipelineHandle};
+use super::{
+    Command, CommandScratch, Drawing, FAN_TRIANGLES, FacetHandle, FacetStatistics, FrameCommands, MeshFacts,
+    PipelineHandle,
+};
+use crate::casters::{CasterScene, Group};
 use crate::clusters::Cluster;
-use crate::cull::{CentredBox, HalfSpace, Side};
+use crate::cull::{CentredBox, InstanceRows, capture_from_object, eye_from_object};
 use crate::error::ServiceError;
 use crate::mesh::MeshHandle;
 
 /// The commands so far, and what is needed to add those of the next facet without allocating.
-pub(super) struct FacetDraws<'c, 'a, 'm> {
-    casters: &'c Casters<'a, 'm>,
-    /// Commands and rows.
-    pub(super) frame: FrameCommands,
+pub(super) struct FacetDraws<'a> {
+    plan: &'a ShadowPlan,
+    eye: Eye<'a>,
+    frame: &'a mut FrameCommands,
+    scratch: &'a mut CommandScratch,
     /// What the draws so far leave bound.
     bound: Option<(PipelineHandle, MeshHandle)>,
-    /// The facet's half-spaces.
-    planes: Vec<HalfSpace>,
-    /// Those that cut through a block's box.
-    near: Vec<HalfSpace>,
-    /// Those that cut through an instance's box, in the instance's own space.
-    cutting: Vec<HalfSpace>,
+}
+
+/// What a group's instances draw in a facet.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Gathered {
     /// Instances drawn whole.
     whole: Vec<u32>,
     /// Instances drawn in part, each with a range of `ranges`.
     parts: Vec<(u32, Range<usize>)>,
     ranges: Vec<Range<u32>>,
+    /// Corners and rows of fans.
+    fans: Vec<(Range<u32>, Range<u32>)>,
+    /// Corners of an instance that may bend too far.
+    bent: Vec<Range<u32>>,
 }
 
-/// What a facet draws of an instance.
-enum Reach {
-    Nothing,
-    Whole,
-    /// What the half-spaces in `cutting` leave.
-    Cut,
+/// Brings instances to the eye of a plan.
+#[derive(Clone, Copy)]
+struct Eye<'a> {
+    casters: &'a CasterScene,
+    eye_world: DVec3,
+    capture_from_world: DMat3,
 }
 
-impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
-    /// Nothing drawn yet.
-    pub(super) fn new(casters: &'c Casters<'a, 'm>) -> Self {
-        Self {
-            casters,
-            frame: FrameCommands::default(),
-            bound: None,
-            planes: Vec::new(),
-            near: Vec::new(),
-            cutting: Vec::new(),
-            whole: Vec::new(),
-            parts: Vec::new(),
-            ranges: Vec::new(),
-        }
+impl Gathered {
+    /// Elements for which there is room, list by list.
+    pub(super) fn room(&self) -> [usize; 5] {
+        let Self { whole, parts, ranges, fans, bent } = self;
+        [whole.capacity(), parts.capacity(), ranges.capacity(), fans.capacity(), bent.capacity()]
     }
 
-    /// Appends the draws of a facet.
-    pub(super) fn add(
+    /// Gives lists that have grown the same room once more.
+    pub(super) fn widen(&mut self, before: [usize; 5]) {
+        let Self { whole, parts, ranges, fans, bent } = self;
+        widen(whole, before[0], whole.capacity());
+        widen(parts, before[1], parts.capacity());
+        widen(ranges, before[2], ranges.capacity());
+        widen(fans, before[3], fans.capacity());
+        widen(bent, before[4], bent.capacity());
+    }
+}
+
+/// Gives a list that has grown twice the room that it needed: command lists that breathe stay where they are.
+pub(super) fn widen<T>(list: &mut Vec<T>, room_before: usize, needed: usize) {
+    if list.capacity() > room_before {
+        list.reserve((2 * needed).saturating_sub(list.len()));
+    }
+}
+
+impl Eye<'_> {
+    /// Transform of an instance with the eye at the origin, world axes.
+    fn eye_from_object(&self, number: u32) -> DAffine3 {
+        eye_from_object(&self.casters.instances()[number as usize].world_from_object, self.eye_world)
+    }
+
+    /// Rows of an instance.
+    fn rows(&self, number: u32) -> Result<InstanceRows, ServiceError> {
+        let capture_from_object =
+            capture_from_object(&self.eye_from_object(number), &self.capture_from_world);
+        let rows = InstanceRows::rounded(&capture_from_object);
+        rows.ok_or(ServiceError::Transform { instance: number as usize })
+    }
+}
+
+impl<'a> FacetDraws<'a> {
+    /// Appends to commands, of which nothing stays bound.
+    pub(super) fn new(
+        plan: &'a ShadowPlan,
+        casters: &'a CasterScene,
+        frame: &'a mut FrameCommands,
+        scratch: &'a mut CommandScratch,
+    ) -> Self {
+        let (eye_world, capture_from_world) = (plan.eye_world, plan.capture_from_world());
+        Self { plan, eye: Eye { casters, eye_world, capture_from_world }, frame, scratch, bound: None }
+    }
+
+    /// Appends the draws of a facet; `facts` finds a mesh.
+    pub(super) fn add<'m>(
         &mut self,
         handle: FacetHandle,
         facet: &Facet,
+        facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
     ) -> Result<FacetStatistics, ServiceError> {
-        self.planes.clear();
-        self.planes.extend(facet.casters.iter().map(|plane| HalfSpace::new(*plane)));
+        self.scratch.reach.begin(self.plan, facet);
         let mut counts = FacetStatistics { facet: facet.first_cell(), ..Default::default() };
-        let casters = self.casters;
-        for group in &casters.groups {
+        for group in self.eye.casters.groups() {
             let start = self.frame.rows.len();
-            self.gather(group);
+            let Some(facts) = self.gather(group, &facts, &mut counts)? else { continue };
             let whole = start..self.frame.rows.len();
-            if whole.is_empty() && self.parts.is_empty() {
-                continue;
-            }
             if counts.draws == 0 {
                 self.frame.commands.push(Command::Facet { facet: handle, tile: facet.tile });
             }
-            self.bind(group);
-            let plain = self.draw(group, whole.clone(), &mut counts)?;
-            self.draw_fans(group, facet, whole, plain, &mut counts);
+            self.bind(group, facts.pipeline);
+            let plain = self.draw(&facts, whole.clone(), &mut counts)?;
+            self.draw_fans(group, &facts, facet, whole, plain, &mut counts);
         }
         Ok(counts)
     }
 
-    /// Appends the rows of the group's instances that are drawn whole, and lists in `parts` what is drawn of the others.
-    fn gather(&mut self, group: &Group) {
-        self.whole.clear();
-        self.parts.clear();
-        self.ranges.clear();
-        let casters = self.casters;
-        for block in &casters.blocks[group.blocks.clone()] {
-            // Most are refused: begin with the half-space that refused last.
-            if let Some(refusing) = self.planes.iter().position(|plane| plane.is_outside(&block.bounds)) {
-                self.planes[..=refusing].rotate_right(1);
-                continue;
+    /// Appends the rows of the group's instances that are drawn whole, and lists in `parts` what is drawn of the others;
+    /// returns what is known of the mesh, or nothing if nothing of it is drawn.
+    fn gather<'m>(
+        &mut self,
+        group: &Group,
+        facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
+        counts: &mut FacetStatistics,
+    ) -> Result<Option<MeshFacts<'m>>, ServiceError> {
+        let CommandScratch { reach, gathered } = &mut *self.scratch;
+        let Gathered { whole, parts, ranges, .. } = gathered;
+        whole.clear();
+        parts.clear();
+        ranges.clear();
+        let (eye, rows) = (self.eye, &mut self.frame.rows);
+        let mut found = None;
+        let mut outcome = Ok(());
+        reach.each(eye.casters, group, |caster, cutting| {
+            if outcome.is_err() {
+                return;
             }
-            self.near.clear();
-            self.near.extend(self.planes.iter().filter(|plane| plane.side(&block.bounds) == Side::Crossing));
-            for index in block.members.clone() {
-                let (number, bounds) = &casters.casters[index];
-                self.gather_caster(group, *number, bounds);
+            // Look for the mesh when its first instance reaches.
+            let number = caster.number;
+            if found.is_none() {
+                found = facts(group.mesh);
             }
-        }
-    }
-
-    /// The same for one instance.
-    fn gather_caster(&mut self, group: &Group, number: u32, bounds: &CentredBox) {
-        let parts = match self.reach(group, number, bounds) {
-            Reach::Nothing => return,
-            Reach::Whole => Parts::Whole,
-            Reach::Cut => {
+            let Some(facts) = &found else {
+                outcome = Err(ServiceError::UnknownMesh { instance: number as usize });
+                return;
+            };
+            counts.content = counts.content.wrapping_add(caster.content);
+            let drawn = if cutting.is_empty() || facts.clusters.len() < 2 {
+                Parts::Whole
+            } else {
                 let reaches = |cluster: &Cluster| {
                     let bounds = CentredBox::new(&cluster.bounds_object);
-                    !self.cutting.iter().any(|plane| plane.is_outside(&bounds))
+                    !cutting.iter().any(|plane| plane.is_outside(&bounds))
                 };
-                merge(group.facts.clusters, group.count > 1, reaches, &mut self.ranges)
+                merge(facts.clusters, group.count > 1, reaches, ranges)
+            };
+            match drawn {
+                Parts::Whole => {
+                    outcome = eye.rows(number).map(|row| rows.push(row));
+                    whole.push(number);
+                }
+                Parts::Ranges(ranges) if ranges.is_empty() => {}
+                Parts::Ranges(ranges) => parts.push((number, ranges)),
             }
-        };
-        match parts {
-            Parts::Whole => {
-                self.frame.rows.extend(self.casters.rows(number));
-                self.whole.push(number);
-            }
-            Parts::Ranges(ranges) if ranges.is_empty() => {}
-            Parts::Ranges(ranges) => self.parts.push((number, ranges)),
-        }
-    }
-
-    /// Tests an instance against the half-spaces that cut through its block, first with its box in world axes, which
-    /// decides most of them, then with the box of its own space, which is tighter where it is turned.
-    fn reach(&mut self, group: &Group, number: u32, bounds: &CentredBox) -> Reach {
-        if self.near.iter().any(|plane| plane.is_outside(bounds)) {
-            return Reach::Nothing;
-        }
-        self.cutting.clear();
-        self.cutting.extend(self.near.iter().filter(|plane| plane.side(bounds) == Side::Crossing));
-
-        // Turn only those that cut through the instance.
-        if self.cutting.is_empty() {
-            return Reach::Whole;
-        }
-        let eye_from_object = self.casters.eye_from_object(number);
-        let mut outside = false;
-        self.cutting.retain_mut(|plane| {
-            *plane = plane.in_object(&eye_from_object);
-            let side = plane.side(&group.bounds_object);
-            outside |= side == Side::Outside;
-            side == Side::Crossing
         });
-        match (outside, self.cutting.is_empty() || group.facts.clusters.len() < 2) {
-            (true, _) => Reach::Nothing,
-            (false, true) => Reach::Whole,
-            (false, false) => Reach::Cut,
-        }
+        outcome?;
+        Ok(found.filter(|_| !whole.is_empty() || !parts.is_empty()))
     }
 
     /// Binds what differs from the previous draw.
-    fn bind(&mut self, group: &Group) {
-        let pipeline = group.facts.pipeline;
+    fn bind(&mut self, group: &Group, pipeline: PipelineHandle) {
         if self.bound.is_none_or(|(bound, _)| bound != pipeline) {
             self.frame.commands.push(Command::Pipeline(pipeline));
         }
@@ -171,28 +191,29 @@ impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
     /// Draws the rows of `whole` together and everything in `parts` after them.
     fn draw(
         &mut self,
-        group: &Group,
+        facts: &MeshFacts,
         whole: Range<usize>,
         counts: &mut FacetStatistics,
     ) -> Result<Range<usize>, ServiceError> {
-        let indexed = group.facts.indexed;
-        let FrameCommands { commands, rows } = &mut self.frame;
-        let total = rows.len() + self.parts.len();
+        let indexed = facts.indexed;
+        let FrameCommands { commands, rows } = &mut *self.frame;
+        let Gathered { parts, ranges, .. } = &self.scratch.gathered;
+        let total = rows.len() + parts.len();
         let row = |row: usize| u32::try_from(row).map_err(|_| ServiceError::TooManyInstances { rows: total });
         let start = commands.len();
         let mut draw = |first: u32, count: u32, instances: Range<u32>| {
             counts.triangles += u64::from(instances.end - instances.start) * u64::from(count / 3);
             commands.push(Command::Draw { first, count, indexed, instances });
         };
-        counts.instances += (whole.len() + self.parts.len()) as u64;
+        counts.instances += (whole.len() + parts.len()) as u64;
         if !whole.is_empty() {
-            draw(0, group.facts.corners, row(whole.start)?..row(whole.end)?);
+            draw(0, facts.corners, row(whole.start)?..row(whole.end)?);
         }
-        for (number, ranges) in &self.parts {
+        for (number, own) in parts {
             let instance = row(rows.len())?;
             let instances = instance..row(rows.len() + 1)?;
-            rows.extend(self.casters.rows(*number));
-            for range in &self.ranges[ranges.clone()] {
+            rows.push(self.eye.rows(*number)?);
+            for range in &ranges[own.clone()] {
                 draw(range.start, range.end.saturating_sub(range.start), instances.clone());
             }
         }
@@ -206,12 +227,13 @@ impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
     fn draw_fans(
         &mut self,
         group: &Group,
+        facts: &MeshFacts,
         facet: &Facet,
         whole: Range<usize>,
         plain: Range<usize>,
         counts: &mut FacetStatistics,
     ) {
-        let (fans, bound_texels) = match group.facts.drawing {
+        let (fans, bound_texels) = match facts.drawing {
             Drawing::Plain => return,
             Drawing::Fans => {
                 for command in &mut self.frame.commands[plain] {
@@ -226,24 +248,26 @@ impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
         let Some(bending) = Bending::new(facet, bound_texels) else { return };
 
         // Rows of instances drawn whole come first, those drawn in part after them.
-        let everything = 0..group.facts.corners;
+        let everything = 0..facts.corners;
         let everything = std::slice::from_ref(&everything);
+        let Gathered { whole: wholes, parts, ranges, fans: draws, bent } = &mut self.scratch.gathered;
         let first_part = whole.end;
-        let wholes = self.whole.iter().zip(whole).map(|(number, row)| (*number, row, everything));
-        let parts = self.parts.iter().zip(first_part..);
-        let parts = parts.map(|((number, ranges), row)| (*number, row, &self.ranges[ranges.clone()]));
-        let mut draws: Vec<(Range<u32>, Range<u32>)> = Vec::new();
+        let wholes = wholes.iter().zip(whole).map(|(number, row)| (*number, row, everything));
+        let parts = parts.iter().zip(first_part..);
+        let parts = parts.map(|((number, own), row)| (*number, row, &ranges[own.clone()]));
+        draws.clear();
         for (number, row, ranges) in wholes.chain(parts) {
-            let bending = bending.in_object(&self.casters.eye_from_object(number));
+            let bending = bending.in_object(&self.eye.eye_from_object(number));
             if bending.spares(&group.bounds_object) {
                 continue;
             }
             // The plain draws have numbered this row.
             let row = row as u32;
-            for corners in bent_ranges(&bending, group.facts.clusters, ranges) {
+            bent_ranges(&bending, facts.clusters, ranges, bent);
+            for corners in bent.iter() {
                 match draws.last_mut() {
-                    Some((same, rows)) if *same == corners && rows.end == row => rows.end = row + 1,
-                    _ => draws.push((corners, row..row + 1)),
+                    Some((same, rows)) if same == corners && rows.end == row => rows.end = row + 1,
+                    _ => draws.push((corners.clone(), row..row + 1)),
                 }
             }
         }
@@ -253,7 +277,7 @@ impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
         counts.draws += draws.len() as u32;
         self.frame.commands.push(Command::Pipeline(fans));
         self.bound = Some((fans, group.mesh));
-        let plain = draws.into_iter().map(|(corners, instances)| Command::Draw {
+        let plain = draws.drain(..).map(|(corners, instances)| Command::Draw {
             first: corners.start,
             count: corners.end.saturating_sub(corners.start),
             indexed: false,
@@ -263,21 +287,21 @@ impl<'c, 'a, 'm> FacetDraws<'c, 'a, 'm> {
     }
 }
 
-/// The parts of ranges whose triangles may bend too far, so far as clusters tell them apart.
-fn bent_ranges(bending: &Bending, clusters: &[Cluster], ranges: &[Range<u32>]) -> Vec<Range<u32>> {
+/// Lists the parts of ranges whose triangles may bend too far, so far as clusters tell them apart.
+fn bent_ranges(bending: &Bending, clusters: &[Cluster], ranges: &[Range<u32>], bent: &mut Vec<Range<u32>>) {
+    bent.clear();
     if clusters.len() < 2 {
-        return ranges.to_vec();
+        bent.extend_from_slice(ranges);
+        return;
     }
-    let mut bent = Vec::new();
     for range in ranges {
         let reaches = |cluster: &Cluster| {
             range.contains(&cluster.first) && !bending.spares(&CentredBox::new(&cluster.bounds_object))
         };
-        if let Parts::Whole = merge(clusters, false, reaches, &mut bent) {
+        if let Parts::Whole = merge(clusters, false, reaches, bent) {
             bent.push(range.clone());
         }
     }
-    bent
 }
 
 /// The draw of the fans of a draw's triangles; [`crate::mesh`] refuses meshes whose fans could not be numbered.

@@ -113,9 +113,12 @@ fn one_draw_covers_all_instances_of_a_mesh_in_a_facet() {
     // Rows follow the draws; within a mesh neighbours lie side by side.
     let shifts: Vec<f32> = frame.rows.iter().map(|rows| rows.0[0][3]).collect();
     assert_eq!(shifts, [3.0, 6.0, 4.0, 5.0, 10.5, 15.0, 10.5]);
+    let mut scene = CasterScene::new();
+    assert!(scene.update(&casters, facts).unwrap());
+    let content = |facet| FrameCommands::content(&plan, facet, &scene, &mut CommandScratch::default());
     let facets = [
-        FacetStatistics { facet: 0, draws: 3, instances: 5, triangles: 2 * 12 + 4 + 2 },
-        FacetStatistics { facet: 2, draws: 2, instances: 2, triangles: 12 + 1 },
+        FacetStatistics { facet: 0, draws: 3, instances: 5, triangles: 2 * 12 + 4 + 2, content: content(0) },
+        FacetStatistics { facet: 2, draws: 2, instances: 2, triangles: 12 + 1, content: content(1) },
     ];
     let total =
         FrameStatistics { casters: 6, draws: 5, instances: 7, triangles: 43, facets: facets.to_vec() };
@@ -185,6 +188,88 @@ fn the_eye_is_subtracted_before_rounding() {
     let (frame, _) =
         FrameCommands::build(&plan(vec![facet(0, 0.0, 10.0)]), &[at(0, 1.000_001)], facts).unwrap();
     assert!((f64::from(frame.rows[0].0[0][3]) - 1.000_001).abs() < 1e-6);
+}
+
+#[test]
+fn casters_of_the_world_are_as_exact_as_those_of_the_eye() {
+    // Ten thousand kilometres from the origin: a millimetre beside the facet is seen, in rows a micrometre.
+    const FAR: DVec3 = DVec3::new(-1e7, 1e7, 1e7);
+    let far = ShadowPlan { eye_world: FAR, ..plan(vec![facet(0, 0.0, 10.0)]) };
+    let at = |x: f64| CasterInstance {
+        mesh: handle(0),
+        world_from_object: DAffine3::from_translation(FAR + DVec3::X * x),
+    };
+    let drawn = |x: f64| FrameCommands::build(&far, &[at(x)], facts).unwrap().0.rows;
+    assert_eq!(drawn(-1.001), []);
+    let rows = drawn(-0.999_001);
+    assert!((f64::from(rows[0].0[0][3]) + 0.999_001).abs() < 1e-6, "{rows:?}");
+}
+
+#[test]
+fn a_list_is_rebuilt_for_some_facets() {
+    let plan = plan(vec![facet(0, 0.0, 10.0), facet(1, 10.0, 20.0), facet(2, 20.0, 30.0)]);
+    let casters = [at(0, 5.0), at(1, 15.0), at(2, 25.0), at(0, 26.0)];
+    let mut scene = CasterScene::new();
+    scene.update(&casters, facts).unwrap();
+    let (mut frame, mut counts) = FrameCommands::build(&plan, &casters, facts).unwrap();
+    let all = frame.clone();
+    let mut scratch = CommandScratch::default();
+    let mut rebuild = |facets: &[usize], scene: &CasterScene| {
+        let facets = facets.iter().copied();
+        let rebuilt = frame.rebuild(&plan, facets, scene, facts, &mut scratch, &mut counts);
+        (rebuilt, frame.clone(), counts.clone())
+    };
+
+    let (_, some, counts) = rebuild(&[2, 0, 7], &scene);
+    assert_eq!(counts.facets.iter().map(|facet| facet.facet).collect::<Vec<_>>(), [2, 0]);
+    assert_eq!((counts.casters, counts.instances), (4, 3));
+    assert!(matches!(some.commands[0], Command::Facet { facet: FacetHandle(2), .. }));
+    assert_eq!(rebuild(&[0, 1, 2], &scene).1, all);
+
+    // Two lists of casters, one after the other.
+    let mut other = CasterScene::new();
+    other.update(&casters[..1], facts).unwrap();
+    let (mut both, mut counts) = (FrameCommands::default(), FrameStatistics::default());
+    for scene in [&scene, &other] {
+        both.append(&plan, 0..1, scene, facts, &mut CommandScratch::default(), &mut counts).unwrap();
+    }
+    assert_eq!((both.rows.len(), both.rows[0] == both.rows[1]), (2, true));
+
+    // A mesh that has gone since leaves nothing half built.
+    let gone = |mesh: MeshHandle| facts(mesh).filter(|_| mesh.index != 2);
+    let refused = frame.rebuild(&plan, 0..3, &scene, gone, &mut scratch, &mut counts);
+    assert!(matches!(refused, Err(ServiceError::UnknownMesh { instance: 2 | 3 })), "{refused:?}");
+    assert_eq!((frame, counts), (FrameCommands::default(), FrameStatistics::default()));
+}
+
+#[test]
+fn content_changes_when_a_facet_has_to_be_drawn_anew() {
+    let plan = plan(vec![facet(0, 0.0, 10.0), facet(1, 10.0, 20.0)]);
+    let content = |casters: &[CasterInstance]| {
+        let mut scene = CasterScene::new();
+        scene.update(casters, facts).unwrap();
+        [0, 1].map(|facet| FrameCommands::content(&plan, facet, &scene, &mut CommandScratch::default()))
+    };
+    let before = content(&[at(0, 5.0), at(0, 15.0), at(0, 6.0)]);
+    assert_eq!(content(&[at(0, 6.0), at(0, 5.0), at(0, 15.0)]), before, "order tells nothing");
+    assert_eq!(content(&[at(0, 5.0), at(0, 15.0), at(0, 6.0), at(1, 50.0)]), before, "out of reach");
+    let moved = content(&[at(0, 5.0), at(0, 15.0), at(0, 6.0 + 1e-9)]);
+    assert!(moved[0] != before[0] && moved[1] == before[1]);
+    let exchanged = content(&[at(0, 5.0), at(2, 15.0), at(0, 6.0)]);
+    assert!(exchanged[0] == before[0] && exchanged[1] != before[1]);
+    let twice = content(&[at(0, 5.0), at(0, 15.0), at(0, 6.0), at(0, 6.0)]);
+    assert!(twice[0] != before[0]);
+    assert_eq!(content(&[at(0, 50.0)]), [0, 0]);
+
+    // Another mesh in the same place of the service's list is another mesh.
+    let facts = |mesh: MeshHandle| facts(MeshHandle { generation: 0, ..mesh });
+    let of_generation = |generation| {
+        let mesh = MeshHandle { index: 0, generation };
+        let mut scene = CasterScene::new();
+        scene.update(&[CasterInstance { mesh, ..at(0, 5.0) }], facts).unwrap();
+        FrameCommands::content(&plan, 0, &scene, &mut CommandScratch::default())
+    };
+    assert_ne!(of_generation(0), of_generation(1));
 }
 
 #[test]

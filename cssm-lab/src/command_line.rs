@@ -11,6 +11,7 @@ use crate::error::LabError;
 use crate::extremes::{self, ExtremesArguments};
 use crate::figures::{self, FiguresArguments};
 use crate::footprint_command::{self, FootprintArguments};
+use crate::lights::{self, LightsArguments};
 use crate::measure::command::{self as measure, MeasureArguments};
 use crate::progress::Progress;
 use crate::render::{self, RenderArguments};
@@ -37,6 +38,7 @@ enum Command {
     Tune(TuneArguments),
     Extremes(ExtremesArguments),
     Figures(FiguresArguments),
+    Lights(LightsArguments),
     Measure(Box<MeasureArguments>),
 }
 
@@ -68,6 +70,7 @@ fn run_command(line: &CommandLine) -> Result<String, LabError> {
         Command::ContactSheet(arguments) => contact_sheet::run(arguments, progress),
         Command::Catalogue(arguments) => catalogue_sheet::run(arguments, progress),
         Command::Figures(arguments) => figures::run(arguments, progress),
+        Command::Lights(arguments) => lights::run(arguments, progress),
         Command::Extremes(arguments) => extremes::run(arguments, progress),
         Command::Measure(arguments) => measure::run(arguments, progress),
         Command::Tune(arguments) => tune::run(arguments, progress),

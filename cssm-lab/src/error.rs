@@ -69,6 +69,14 @@ pub enum LabError {
     /// The scene suggests no view.
     #[error("the scene suggests no view; give --eye, --target and --light")]
     NoView,
+    /// The scene has too few lamp posts.
+    #[error("the scene has {found} lamp posts, but {needed} local lights want one; use the city")]
+    NoLamps {
+        /// How many there are.
+        found: usize,
+        /// How many are needed.
+        needed: usize,
+    },
     /// The scene has no lamp of that name.
     #[error("scene {scene} has no lamp {name}; it has {}; or give --light", if known.is_empty() { "none".to_owned() } else { known.join(", ") })]
     NoSuchLamp {

@@ -7,11 +7,13 @@ mod alpha_mask;
 mod depth_input;
 mod function;
 mod geometry;
+mod lights;
 mod runner;
 mod stopwatch;
 mod surface;
 
 pub use geometry::SceneBuffers;
+pub use lights::LightRunner;
 pub use runner::{CaseRunner, ResolveMethod};
 pub use stopwatch::{PassTimes, RecordPass, SequenceTimes, Stopwatch, Writes};
 pub use surface::Surface;

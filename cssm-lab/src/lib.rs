@@ -28,6 +28,7 @@ pub mod extremes;
 pub mod figures;
 pub mod footprint_command;
 pub mod gpu;
+pub mod lights;
 pub mod measure;
 pub mod picture;
 pub mod progress;

@@ -59,6 +59,11 @@ pub struct Visible {
 pub const FACING_COSINE: f64 = 0.05;
 
 impl Visible {
+    fn surface(&self) -> Surface {
+        let Self { position, normal, depth, instance, triangle, .. } = *self;
+        Surface { position, normal, depth, instance, triangle }
+    }
+
     /// Whether the light reaches the surface from the front, so that a shadow on it can be judged.
     pub fn faces_light(&self) -> bool {
         self.reached && self.cosine > FACING_COSINE
@@ -82,6 +87,16 @@ impl Frame {
             },
         );
         Self { width, height, pixels }
+    }
+
+    /// The same surfaces under another light. The tracer is the one that found them.
+    pub fn under(&self, tracer: &Tracer, view: &View, light: &Light) -> Self {
+        let relit = |pixel: &Option<Visible>, stack: &mut Vec<u32>| {
+            let pixel = (*pixel)?;
+            Some(lit_by(tracer, view, light, pixel.surface(), stack))
+        };
+        let pixels = self.pixels.par_iter().map_init(Vec::new, |stack, pixel| relit(pixel, stack)).collect();
+        Self { width: self.width, height: self.height, pixels }
     }
 
     /// The pixel at a place.
@@ -108,26 +123,37 @@ fn trace_pixel(
     let outward = tracer.normal(hit.triangle);
     let normal = if outward.dot(ray) > 0.0 { -outward } else { outward };
 
-    // Ask for anything between it and the light.
-    let world = view.eye_world + position;
-    let start =
-        START_RELATIVE * (world.abs().max_element() + view.eye_world.abs().max_element() + hit.distance);
-    let toward_light = light.toward_world(world);
-    let light_metres = light.distance_metres(world);
-    let reached = light.reaches(world);
-    let lit =
-        reached && !tracer.blocked(world, toward_light, start..light_metres - start, hit.triangle, stack);
-    Some(Visible {
+    let surface = Surface {
         position,
         normal,
-        cosine: normal.dot(toward_light),
-        light_metres,
         depth: hit.distance,
         instance: tracer.instance(hit.triangle),
         triangle: hit.triangle,
-        reached,
-        lit,
-    })
+    };
+    Some(lit_by(tracer, view, light, surface, stack))
+}
+
+/// What a pixel sees, whatever the light.
+#[derive(Debug, Clone, Copy)]
+struct Surface {
+    position: DVec3,
+    normal: DVec3,
+    depth: f64,
+    instance: u32,
+    triangle: u32,
+}
+
+/// Asks for anything between a surface and the light.
+fn lit_by(tracer: &Tracer, view: &View, light: &Light, surface: Surface, stack: &mut Vec<u32>) -> Visible {
+    let Surface { position, normal, depth, instance, triangle } = surface;
+    let world = view.eye_world + position;
+    let start = START_RELATIVE * (world.abs().max_element() + view.eye_world.abs().max_element() + depth);
+    let toward_light = light.toward_world(world);
+    let light_metres = light.distance_metres(world);
+    let reached = light.reaches(world);
+    let lit = reached && !tracer.blocked(world, toward_light, start..light_metres - start, triangle, stack);
+    let cosine = normal.dot(toward_light);
+    Visible { position, normal, cosine, light_metres, depth, instance, triangle, reached, lit }
 }
 
 #[cfg(test)]

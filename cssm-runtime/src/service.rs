@@ -70,6 +70,28 @@ impl ShadowService {
         Ok(Self { table: table.clone(), options: *options, gpu, meshes: Vec::new() })
     }
 
+    /// The same, with the map in a texture that other tables share.
+    pub(crate) fn sharing(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        table: &CaseTable,
+        options: &Options,
+        map: &wgpu::Texture,
+    ) -> Result<Self, ServiceError> {
+        let gpu = Gpu::new(device, queue, table, options, Some(map))?;
+        Ok(Self { table: table.clone(), options: *options, gpu, meshes: Vec::new() })
+    }
+
+    /// The table and what executes it.
+    pub(crate) fn parts_mut(&mut self) -> (&CaseTable, &mut Gpu) {
+        (&self.table, &mut self.gpu)
+    }
+
+    /// What executes the table.
+    pub(crate) fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
     /// The table that the service executes.
     pub fn table(&self) -> &CaseTable {
         &self.table
@@ -312,7 +334,7 @@ impl ShadowService {
         self.gpu.alive(bound).map(Some)
     }
 
-    fn mesh(&self, handle: MeshHandle) -> Option<&Mesh> {
+    pub(crate) fn mesh(&self, handle: MeshHandle) -> Option<&Mesh> {
         let entry = self.meshes.get(handle.index as usize)?;
         entry.mesh.as_ref().filter(|_| entry.generation == handle.generation)
     }

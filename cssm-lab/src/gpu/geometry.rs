@@ -3,8 +3,8 @@
 use cssm_core::BoundingBox;
 use cssm_core::glam::DVec3;
 use cssm_runtime::{
-    CasterInstance, Cluster, ClusterError, ClusteredTriangles, IndexDescription, MeshDescription,
-    ShadowService, cluster_triangles,
+    CasterInstance, Cluster, ClusterError, ClusteredTriangles, IndexDescription, MeshDescription, MeshHandle,
+    ServiceError, ShadowService, cluster_triangles,
 };
 
 use super::alpha_mask::MaskBuffers;
@@ -83,12 +83,24 @@ impl SceneBuffers {
         service: &mut ShadowService,
         scene: &Scene,
     ) -> Result<Vec<CasterInstance>, GpuError> {
+        self.add_by(&mut |description| service.add_mesh(description), scene)
+    }
+
+    /// The same with whatever registers a mesh; instances without triangles are left out.
+    ///
+    /// # Errors
+    /// What it says of a mesh.
+    pub fn add_by(
+        &self,
+        add_mesh: &mut dyn FnMut(&MeshDescription) -> Result<MeshHandle, ServiceError>,
+        scene: &Scene,
+    ) -> Result<Vec<CasterInstance>, GpuError> {
         let (mut vertex, mut index) = (0, 0);
         let mut handles = Vec::with_capacity(scene.meshes.len());
         for ((mesh, mask), clusters) in scene.meshes.iter().zip(&self.masks).zip(&self.clusters) {
             let handle = match mesh.bounds().filter(|_| !mesh.indices.is_empty()) {
                 None => None,
-                Some((min, max)) => Some(service.add_mesh(&MeshDescription {
+                Some((min, max)) => Some(add_mesh(&MeshDescription {
                     vertices: &self.vertices,
                     vertices_offset_bytes: vertex,
                     vertex_count: mesh.positions.len() as u32,

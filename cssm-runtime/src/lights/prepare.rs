@@ -1,0 +1,463 @@
+//! One view of one frame: which lights need another plan, which tiles other casters, and the commands that bring both
+//! about.
+
+use cssm_core::plan::{MapRegion, PlanRequest};
+use cssm_core::{LightCase, PlanError, ShadowPlan, View};
+
+use super::description::{LightDescription, LightFrame, LightHandle, Update};
+use super::hold::{self, Motion, Need};
+use super::prepared::{PreparedLights, PreparedShadow};
+use super::report::{LightReport, LightState, LightStatistics, TileStatistics};
+use super::scissor::scissor;
+use super::shadow::{Content, Fill, Held, Shadow, TileState};
+use super::{LightService, Scratch, ServedCase, ServedView};
+use crate::casters::CasterScene;
+use crate::commands::FrameCommands;
+use crate::error::ServiceError;
+use crate::frame::PreparedFrame;
+use crate::gpu::Gpu;
+use crate::scope::checked;
+use crate::upload::{Plans, check_plan, upload};
+
+/// Side of the square that lights are planned for before they have one.
+const SURVEY_SIDE: u32 = 512;
+/// How often squares that turn out too small for a plan's tiles are enlarged within one frame.
+const ENLARGEMENTS: u32 = 6;
+
+impl LightService {
+    /// Prepares one view of one frame; `prepared` may hold an earlier one, whose memory is used again.
+    ///
+    /// Lights that cannot be planned are reported ([`LightState::Failed`]) and keep the shadows they had. A failure of the
+    /// whole leaves `prepared` and the map as they were.
+    ///
+    /// # Errors
+    /// Unknown meshes and transforms that are not finite, naming the list and the instance; a lost device, no memory.
+    pub fn prepare(
+        &mut self,
+        frame: &LightFrame,
+        prepared: &mut PreparedLights,
+    ) -> Result<(), ServiceError> {
+        self.update_casters(frame)?;
+        self.number += 1;
+        let motion = self.motion(frame);
+
+        // Plan, and share the map anew where a square turns out too small.
+        let mut moved = 0;
+        let mut planned = 0;
+        self.survey(frame);
+        for _ in 0..ENLARGEMENTS {
+            moved += self.share_map();
+            let (plans, is_short) = self.replan(frame, motion);
+            planned += plans;
+            if !is_short {
+                break;
+            }
+        }
+
+        // Fill the memory that is not the engine's, then swap.
+        let mut next = std::mem::take(&mut self.scratch.next);
+        next.reset(&self.identity, frame.view_id, self.number);
+        next.report.planned = planned;
+        next.report.moved = moved;
+        let filled = self.fill(frame, &mut next);
+        if filled.is_ok() {
+            std::mem::swap(&mut next, prepared);
+        }
+        self.scratch.next = next;
+        filled
+    }
+
+    fn update_casters(&mut self, frame: &LightFrame) -> Result<(), ServiceError> {
+        let Self { meshes, cases, static_casters, dynamic_casters, .. } = self;
+        let first = cases.first().ok_or(ServiceError::NoCases)?;
+        let facts = |mesh| meshes.facts(&first.service, 0, mesh);
+        let named = |list| move |source| ServiceError::Casters { list, source: Box::new(source) };
+        static_casters.update(frame.static_casters, facts).map_err(named("static"))?;
+        dynamic_casters.update(frame.dynamic_casters, facts).map_err(named("dynamic"))?;
+        Ok(())
+    }
+
+    /// How far the view has moved since its last frame.
+    fn motion(&mut self, frame: &LightFrame) -> Option<Motion> {
+        let (view, prepared) = (*frame.view, self.number);
+        match self.views.iter_mut().find(|known| known.id == frame.view_id) {
+            Some(known) => {
+                let motion = Motion::between(&known.view, frame.view);
+                (known.view, known.prepared) = (view, prepared);
+                motion.filter(|_| self.options.hold)
+            }
+            None => {
+                self.views.push(ServedView { id: frame.view_id, view, prepared });
+                None
+            }
+        }
+    }
+
+    /// Finds out how many texels the lights without a square would need.
+    fn survey(&mut self, frame: &LightFrame) {
+        let Self { lights, cases, .. } = self;
+        for served in lights.iter_mut().filter_map(|entry| entry.light.as_mut()) {
+            let Some(index) = shadow_of(&mut served.shadows, frame) else { continue };
+            let (shadow, description) = (&mut served.shadows[index], &served.description);
+            if shadow.place.is_some() {
+                continue;
+            }
+            let Some(case) = cases.get(description.case.0 as usize) else { continue };
+            let map = case.case.map;
+            let side = SURVEY_SIDE.min(map.width).min(map.height);
+            let region = MapRegion { x: 0, y: 0, width: side, height: side };
+            shadow.failure = None;
+            match request(&case.case, description, frame, Some(region)).plan() {
+                Ok(plan) => shadow.estimate(&plan, frame.view, side, description),
+                Err(PlanError::MapTooSmall { .. }) => {
+                    shadow.pixels_times_side = Some(description.enough_pixels * f64::from(side) * 2.0);
+                }
+                Err(error) => {
+                    shadow.pixels_times_side = None;
+                    shadow.failure = Some(error);
+                }
+            }
+        }
+    }
+
+    /// Plans the shadows that need another plan, and those that would be better off as far as the budget reaches. Returns
+    /// how many, and whether a square was too small for its tiles.
+    fn replan(&mut self, frame: &LightFrame, motion: Option<Motion>) -> (u32, bool) {
+        let (mut planned, mut is_short) = (0, false);
+        let mut left_texels = self.options.redrawn_texels;
+        let mut wishes: Vec<(f64, usize)> = Vec::new();
+        for index in 0..self.lights.len() {
+            let turn = self.is_its_turn(index);
+            let Some((served, shadow, case)) = parts(&mut self.lights, &self.cases, index, frame) else { continue };
+            let Some(region) = shadow.region() else {
+                shadow.held = None;
+                continue;
+            };
+            let request = request(&case.case, served, frame, Some(region));
+            match hold::need(shadow.held.as_ref(), &request, self.options.hold) {
+                Need::Nothing => {}
+                Need::Better => {
+                    if turn {
+                        let cost = shadow.held.as_ref().map_or(1.0, |held| {
+                            held.plan.p95_pixels(frame.view) / held.best_pixels
+                        });
+                        wishes.push((served.priority * cost, index));
+                    }
+                }
+                Need::Another => {
+                    left_texels = left_texels.saturating_sub(texels(region));
+                    planned += 1;
+                    self.serial += 1;
+                    is_short |= shadow.plan(&request, motion, self.serial, served);
+                }
+            }
+        }
+
+        // What could be better comes after what must be, the worst first.
+        wishes.sort_unstable_by(|one, other| other.0.total_cmp(&one.0).then(one.1.cmp(&other.1)));
+        for (_, index) in wishes {
+            let Some((served, shadow, case)) = parts(&mut self.lights, &self.cases, index, frame) else { continue };
+            let Some(region) = shadow.region().filter(|region| texels(*region) <= left_texels) else { continue };
+            left_texels -= texels(region);
+            planned += 1;
+            self.serial += 1;
+            let request = request(&case.case, served, frame, Some(region));
+            is_short |= shadow.plan(&request, motion, self.serial, served);
+        }
+        (planned, is_short)
+    }
+
+    /// Whether a light's changes may reach the map in this frame.
+    fn is_its_turn(&self, index: usize) -> bool {
+        let served = self.lights.get(index).and_then(|entry| entry.light.as_ref());
+        match served.map(|served| served.description.update) {
+            Some(Update::Every { frames }) => {
+                (self.number + index as u64).is_multiple_of(u64::from(frames.max(1)))
+            }
+            _ => true,
+        }
+    }
+
+    /// Builds the commands of all lights and uploads their records.
+    fn fill(&mut self, frame: &LightFrame, next: &mut PreparedLights) -> Result<(), ServiceError> {
+        next.report.map_texels = u64::from(self.layers.main.width()) * u64::from(self.layers.main.height());
+        let mut left_texels = self.options.redrawn_texels;
+        let mut draws_still = false;
+        for index in 0..self.lights.len() {
+            let turn = self.is_its_turn(index);
+            let Self { lights, cases, static_casters, dynamic_casters, scratch, meshes, .. } = self;
+            let Some(entry) = lights.get_mut(index) else { continue };
+            let light = LightHandle { index: index as u32, generation: entry.generation };
+            let Some(served) = &mut entry.light else { continue };
+            let description = served.description;
+            let Some(shadow) = served.shadows.iter_mut().find(|shadow| shadow.view == frame.view_id) else {
+                continue;
+            };
+            next.report.owned_texels += shadow.region().map_or(0, texels);
+            let case_index = description.case.0 as usize;
+            let Some(case) = cases.get_mut(case_index) else { continue };
+            let mut statistics = shadow.statistics(light, frame.view);
+            let Some(held) = &mut shadow.held else {
+                next.report.lights.push(statistics);
+                continue;
+            };
+
+            // Find the tiles that show something else than they should.
+            let part = next.next(light, case_index, held.serial);
+            let is_first = held.frames == 0;
+            let plan = &held.plan;
+            for (position, state) in held.tiles.iter_mut().enumerate() {
+                let content = state.content_now(plan, static_casters, dynamic_casters, scratch);
+                let Some(work) = state.work(content, is_first) else { continue };
+                let side = state.tile.texels();
+                if state.shown.is_some() && (!turn || side > left_texels) {
+                    statistics.state = LightState::Waits;
+                    continue;
+                }
+                left_texels = left_texels.saturating_sub(side);
+                draws_still |= work.draw_still;
+                part.works.push((position, state.tile, work));
+            }
+            build(part, held, case, case_index, static_casters, dynamic_casters, scratch, meshes, &mut statistics, &mut next.report)?;
+            if held.light != description.light && statistics.state == LightState::Current {
+                statistics.state = LightState::Waits;
+            }
+            held.frames = held.frames.saturating_add(1);
+
+            // Upload the records relative to this frame's eye.
+            let Some(part) = next.shadows.get_mut(next.used - 1) else { continue };
+            let rebased;
+            let same_view = held.plan.eye_world == frame.view.eye_world
+                && held.plan.camera_from_world == frame.view.camera_from_world;
+            let resolve = if same_view {
+                &held.plan
+            } else {
+                rebased = held.plan.rebased(frame.view);
+                &rebased
+            };
+            part.scissor = scissor(resolve, frame.view);
+            part.frame = Some(uploaded(case, &held.plan, resolve, frame.view, part)?);
+            next.report.lights.push(statistics);
+        }
+        next.report.waiting =
+            next.report.lights.iter().filter(|light| light.state == LightState::Waits).count() as u32;
+        if draws_still {
+            self.layers.keep_still_casters(&self.device)?;
+        }
+        Ok(())
+    }
+}
+
+/// The request for a light's plan.
+fn request<'a>(
+    case: &'a LightCase,
+    description: &'a LightDescription,
+    frame: &LightFrame<'a>,
+    region: Option<MapRegion>,
+) -> PlanRequest<'a> {
+    PlanRequest {
+        volumes_world: frame.volumes_world,
+        region,
+        ..PlanRequest::new(case, frame.view, &description.light, frame.bounds)
+    }
+}
+
+/// A light, its shadow in the frame's view and its case.
+fn parts<'l>(
+    lights: &'l mut [super::LightEntry],
+    cases: &'l [ServedCase],
+    index: usize,
+    frame: &LightFrame,
+) -> Option<(&'l LightDescription, &'l mut Shadow, &'l ServedCase)> {
+    let served = lights.get_mut(index)?.light.as_mut()?;
+    let shadow = served.shadows.iter_mut().find(|shadow| shadow.view == frame.view_id)?;
+    Some((&served.description, shadow, cases.get(served.description.case.0 as usize)?))
+}
+
+/// The position of the frame's shadow, made on first use.
+fn shadow_of(shadows: &mut Vec<Shadow>, frame: &LightFrame) -> Option<usize> {
+    let known = shadows.iter().position(|shadow| shadow.view == frame.view_id);
+    known.or_else(|| {
+        shadows.push(Shadow::new(frame.view_id));
+        Some(shadows.len() - 1)
+    })
+}
+
+fn texels(region: MapRegion) -> u64 {
+    u64::from(region.width) * u64::from(region.height)
+}
+
+impl Shadow {
+    /// Takes another plan. Returns whether the square was too small for it.
+    fn plan(
+        &mut self,
+        request: &PlanRequest,
+        motion: Option<Motion>,
+        serial: u64,
+        description: &LightDescription,
+    ) -> bool {
+        self.failure = None;
+        let side = request.region.map_or(0, |region| region.width);
+        match hold::plan(request, motion, &mut self.reach) {
+            Ok((plan, best_pixels)) => {
+                self.estimate(&plan, request.view, side, description);
+                self.held = (!plan.facets.is_empty())
+                    .then(|| Held::new(plan, serial, *request.light, best_pixels));
+                false
+            }
+            Err(PlanError::MapTooSmall { .. }) if side < description.max_side_texels => {
+                // Ask for more than the next size promises.
+                self.pixels_times_side = Some(description.enough_pixels * f64::from(side) * 2.0);
+                self.held = None;
+                true
+            }
+            Err(error) => {
+                self.failure = Some(error);
+                false
+            }
+        }
+    }
+
+    /// Remembers how many texels a plan with tiles in a square of some side would need.
+    fn estimate(&mut self, plan: &ShadowPlan, view: &View, side: u32, description: &LightDescription) {
+        let pixels = plan.p95_pixels(view);
+        let most = description.enough_pixels * f64::from(description.max_side_texels);
+        let product = if pixels.is_finite() { pixels * f64::from(side) } else { most };
+        self.pixels_times_side = (!plan.facets.is_empty()).then_some(product);
+    }
+
+    /// What is known before anything is drawn.
+    fn statistics(&self, light: LightHandle, view: &View) -> LightStatistics {
+        let state = match (&self.failure, &self.held, self.pixels_times_side) {
+            (Some(error), ..) => LightState::Failed(error.clone()),
+            (None, Some(_), _) => LightState::Current,
+            (None, None, Some(_)) => LightState::NoTexels,
+            (None, None, None) => LightState::Unseen,
+        };
+        let held = self.held.as_ref();
+        LightStatistics {
+            light,
+            state,
+            region: self.region(),
+            configuration: held.map_or("", |held| held.plan.configuration),
+            p95_pixels: held.map_or(f64::INFINITY, |held| held.plan.p95_pixels(view)),
+            held_frames: held.map_or(0, |held| held.frames),
+            redrawn_texels: 0,
+            draws: 0,
+            triangles: 0,
+            tiles: Vec::new(),
+        }
+    }
+}
+
+impl TileState {
+    /// Hashes of the casters that the tile should show.
+    fn content_now(
+        &mut self,
+        plan: &ShadowPlan,
+        static_casters: &CasterScene,
+        dynamic_casters: &CasterScene,
+        scratch: &mut Scratch,
+    ) -> Content {
+        let revisions = (static_casters.revision(), dynamic_casters.revision());
+        let mut sum = |casters: &CasterScene| {
+            let facets = self.facets.iter();
+            facets.fold(0_u64, |sum, facet| {
+                let content = FrameCommands::content(plan, *facet, casters, &mut scratch.commands);
+                sum.rotate_left(1).wrapping_add(content)
+            })
+        };
+        let (known, content) = self.wanted.unwrap_or((revisions, Content { fixed: 0, dynamic: 0 }));
+        let is_known = self.wanted.is_some();
+        let fixed = if is_known && known.0 == revisions.0 { content.fixed } else { sum(static_casters) };
+        let dynamic = if is_known && known.1 == revisions.1 { content.dynamic } else { sum(dynamic_casters) };
+        let content = Content { fixed, dynamic };
+        self.wanted = Some((revisions, content));
+        content
+    }
+}
+
+/// Builds the draws of the tiles that change, and counts them.
+#[allow(clippy::too_many_arguments, reason = "the parts of the service that one light's commands are made from")]
+fn build(
+    part: &mut PreparedShadow,
+    held: &Held,
+    case: &ServedCase,
+    case_index: usize,
+    static_casters: &CasterScene,
+    dynamic_casters: &CasterScene,
+    scratch: &mut Scratch,
+    meshes: &super::meshes::Meshes,
+    statistics: &mut LightStatistics,
+    report: &mut LightReport,
+) -> Result<(), ServiceError> {
+    let facts = |mesh| meshes.facts(&case.service, case_index, mesh);
+    let PreparedShadow { works, still, fixed, dynamic, .. } = part;
+    let Scratch { commands: memory, statistics: counts, .. } = scratch;
+    let lists = [
+        (still, static_casters, "static", 0),
+        (fixed, static_casters, "static", 1),
+        (dynamic, dynamic_casters, "dynamic", 2),
+    ];
+    for (list, casters, name, kind) in lists {
+        let chosen = works.iter().filter(|(_, _, work)| match kind {
+            0 => work.draw_still,
+            1 => work.fill == Fill::Draw,
+            _ => work.content.dynamic != 0,
+        });
+        let facets = chosen.flat_map(|(position, ..)| held.tiles[*position].facets.iter().copied());
+        list.rebuild(&held.plan, facets, casters, facts, memory, counts)
+            .map_err(|source| ServiceError::Casters { list: name, source: Box::new(source) })?;
+        statistics.draws += counts.draws;
+        statistics.triangles += counts.triangles;
+    }
+
+    // Count texels and list the tiles.
+    for (_, tile, work) in works.iter() {
+        statistics.redrawn_texels += tile.texels();
+        report.static_texels += if work.draw_still { tile.texels() } else { 0 };
+    }
+    let first_cell = |state: &TileState| {
+        let facet = state.facets.first().and_then(|facet| held.plan.facets.get(*facet));
+        facet.map_or(0, cssm_core::facet::Facet::first_cell)
+    };
+    statistics.tiles.extend(held.tiles.iter().enumerate().map(|(position, state)| TileStatistics {
+        first_cell: first_cell(state),
+        tile: state.tile,
+        redrawn: works.iter().any(|(changed, ..)| *changed == position),
+    }));
+    report.redrawn_texels += statistics.redrawn_texels;
+    report.draws += statistics.draws;
+    report.triangles += statistics.triangles;
+    Ok(())
+}
+
+/// Uploads a light's records and instance rows.
+fn uploaded(
+    case: &mut ServedCase,
+    capture: &ShadowPlan,
+    resolve: &ShadowPlan,
+    view: &View,
+    part: &PreparedShadow,
+) -> Result<PreparedFrame, ServiceError> {
+    let (table, gpu) = case.service.parts_mut();
+    check_plan(table, resolve, view)?;
+    let rows = [part.still.rows.as_slice(), part.fixed.rows.as_slice(), part.dynamic.rows.as_slice()];
+    let count = rows.iter().map(|rows| rows.len()).sum();
+    let Gpu { device, queue, atlas, layouts, slots, identity, .. } = gpu;
+    let slot = slots.acquire(device, table, layouts, atlas, count).and_then(|slot| {
+        let plans = Plans { capture, resolve };
+        let write = || upload(queue, table, &layouts.uniforms, &slot, plans, view, &rows);
+        checked(device, "a light's upload", write)?;
+        Ok(slot)
+    });
+    let service = std::sync::Arc::clone(identity);
+    let slot = gpu.alive(slot)?;
+    Ok(PreparedFrame {
+        service,
+        slot,
+        depth_order: capture.depth_order,
+        commands: FrameCommands::default(),
+        statistics: Default::default(),
+    })
+}

@@ -1,0 +1,181 @@
+//! One light in one view: its square, the plan that is held for it, and what its tiles show.
+
+use cssm_core::facet::Tile;
+use cssm_core::plan::MapRegion;
+use cssm_core::{Light, PlanError, ShadowPlan};
+
+use super::description::ViewId;
+use super::tiles::Place;
+
+/// The shadow of one light in one view.
+#[derive(Debug)]
+pub(super) struct Shadow {
+    pub(super) view: ViewId,
+    pub(super) place: Option<Place>,
+    /// Predicted 95th percentile of the footprint, times the side; `None` while the light reaches nothing visible.
+    pub(super) pixels_times_side: Option<f64>,
+    pub(super) held: Option<Held>,
+    /// Multiple of the view's last motion that plans reach beyond it.
+    pub(super) reach: f64,
+    /// Why there is no plan.
+    pub(super) failure: Option<PlanError>,
+}
+
+/// A plan that outlives its frame, and what its tiles show.
+#[derive(Debug)]
+pub(super) struct Held {
+    pub(super) plan: ShadowPlan,
+    /// Tells this plan from all others of the service.
+    pub(super) serial: u64,
+    /// The light it was made for.
+    pub(super) light: Light,
+    /// Predicted 95th percentile of the footprint that a plan for the view alone would have had.
+    pub(super) best_pixels: f64,
+    /// Frames that have used it.
+    pub(super) frames: u32,
+    pub(super) tiles: Vec<TileState>,
+}
+
+/// A tile and what it shows. Triangular facets share one.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct TileState {
+    pub(super) tile: Tile,
+    /// Positions of its facets in the plan.
+    pub(super) facets: Vec<usize>,
+    /// What the shared map shows.
+    pub(super) shown: Option<Content>,
+    /// Static casters that the map of casters that stay shows.
+    pub(super) still: Option<u64>,
+    /// What it should show, with the revisions of both lists of casters that this was found for.
+    pub(super) wanted: Option<((u64, u64), Content)>,
+}
+
+/// Hashes of what is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Content {
+    pub(super) fixed: u64,
+    /// 0 where no dynamic caster is drawn.
+    pub(super) dynamic: u64,
+}
+
+/// What is to be done to a tile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct TileWork {
+    /// Empty the tile and draw static casters into the map of casters that stay.
+    pub(super) draw_still: bool,
+    /// How the tile of the shared map gets its static casters.
+    pub(super) fill: Fill,
+    pub(super) content: Content,
+}
+
+/// Where static casters come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Fill {
+    /// They are drawn.
+    Draw,
+    /// They are there already.
+    Restore,
+}
+
+impl Shadow {
+    pub(super) fn new(view: ViewId) -> Self {
+        Self {
+            view,
+            place: None,
+            pixels_times_side: None,
+            held: None,
+            reach: FARTHEST_REACH,
+            failure: None,
+        }
+    }
+
+    /// Its square.
+    pub(super) fn region(&self) -> Option<MapRegion> {
+        self.place.map(|place| place.region)
+    }
+}
+
+/// Multiples of the view's motion that are tried first.
+pub(super) const FARTHEST_REACH: f64 = 16.0;
+
+impl Held {
+    /// A plan whose tiles show nothing yet.
+    pub(super) fn new(plan: ShadowPlan, serial: u64, light: Light, best_pixels: f64) -> Self {
+        let mut tiles: Vec<TileState> = Vec::new();
+        for (position, facet) in plan.facets.iter().enumerate() {
+            match tiles.iter_mut().find(|state| state.tile == facet.tile) {
+                Some(state) => state.facets.push(position),
+                None => {
+                    let (tile, facets) = (facet.tile, vec![position]);
+                    tiles.push(TileState { tile, facets, shown: None, still: None, wanted: None });
+                }
+            }
+        }
+        Self { plan, serial, light, best_pixels, frames: 0, tiles }
+    }
+}
+
+impl TileState {
+    /// What brings a tile from what it shows to some content; `None` where nothing is to be done. A plan in its first
+    /// frame may not live to see another, so only later ones keep static casters apart.
+    pub(super) fn work(&self, content: Content, first_frame: bool) -> Option<TileWork> {
+        if self.shown == Some(content) {
+            return None;
+        }
+        let keeps = self.still == Some(content.fixed);
+        let worth_keeping = !first_frame && (content.dynamic != 0 || self.shown.is_some_and(|c| c.dynamic != 0));
+        let fill = if keeps || worth_keeping { Fill::Restore } else { Fill::Draw };
+        Some(TileWork { draw_still: worth_keeping && !keeps, fill, content })
+    }
+
+    /// Remembers what was drawn.
+    pub(super) fn drawn(&mut self, work: TileWork) {
+        self.shown = Some(work.content);
+        if work.draw_still {
+            self.still = Some(work.content.fixed);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STILL: Content = Content { fixed: 7, dynamic: 0 };
+    const MOVING: Content = Content { fixed: 7, dynamic: 3 };
+
+    fn tile() -> TileState {
+        let tile = Tile { x: 0, y: 0, width: 64, height: 64, gutter: 2 };
+        TileState { tile, facets: vec![0], shown: None, still: None, wanted: None }
+    }
+
+    #[test]
+    fn a_tile_is_drawn_once_while_nothing_changes() {
+        let mut tile = tile();
+        let work = tile.work(STILL, true).unwrap();
+        assert_eq!(work, TileWork { draw_still: false, fill: Fill::Draw, content: STILL });
+        tile.drawn(work);
+        assert_eq!(tile.work(STILL, false), None);
+        assert!(tile.work(Content { fixed: 8, dynamic: 0 }, false).is_some());
+    }
+
+    #[test]
+    fn static_casters_are_kept_apart_from_the_second_frame_on() {
+        let mut tile = tile();
+        tile.drawn(tile.work(MOVING, true).unwrap());
+        assert_eq!(tile.still, None);
+
+        let moved = Content { dynamic: 4, ..MOVING };
+        let work = tile.work(moved, false).unwrap();
+        assert_eq!(work, TileWork { draw_still: true, fill: Fill::Restore, content: moved });
+        tile.drawn(work);
+        let again = Content { dynamic: 5, ..MOVING };
+        let work = tile.work(again, false).unwrap();
+        assert_eq!(work, TileWork { draw_still: false, fill: Fill::Restore, content: again });
+
+        // The last dynamic caster leaves; then static casters change.
+        assert_eq!(tile.work(STILL, false).unwrap().fill, Fill::Restore);
+        let work = tile.work(Content { fixed: 9, dynamic: 5 }, false).unwrap();
+        assert!(work.draw_still);
+    }
+}

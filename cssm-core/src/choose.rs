@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::case::LightCase;
 use crate::light::{Light, LightPosition};
-use crate::plan::{PlanError, SceneBounds, ShadowPlan, plan_preferring};
+use crate::plan::{PlanError, PlanRequest, SceneBounds, ShadowPlan, make};
 use crate::technique::Fallback;
 use crate::view::View;
 
@@ -133,8 +133,21 @@ impl Chooser {
         light: &Light,
         bounds: &SceneBounds,
     ) -> Result<ShadowPlan, PlanError> {
+        self.plan_of(&PlanRequest::new(case, view, light, *bounds))
+    }
+
+    /// The plan of a request; as [`PlanRequest::plan`], with the choice of earlier frames in mind. On failure the
+    /// chooser stays as it was, and where the light reaches nothing visible it keeps the configuration in use.
+    ///
+    /// # Errors
+    /// As [`PlanRequest::plan`].
+    pub fn plan_of(&mut self, request: &PlanRequest<'_>) -> Result<ShadowPlan, PlanError> {
         let kept = Kept { configuration: self.current, frames: self.frames_left };
-        let plan = plan_preferring(case, view, light, bounds, &[], kept)?;
+        let plan = make(request, kept)?;
+        if plan.facets.is_empty() {
+            self.frames_left = self.frames_left.saturating_sub(1);
+            return Ok(plan);
+        }
         let switched = self.current.is_some_and(|current| current != plan.configuration);
         self.frames_left = if switched { self.dwell_frames } else { self.frames_left.saturating_sub(1) };
         self.current = Some(plan.configuration);

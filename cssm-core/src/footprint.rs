@@ -55,7 +55,7 @@ pub fn surface(facet: &Facet, view: &View, point_from_eye: DVec3, normal: DVec3)
     singular_values(u.extend(0.0), v.extend(0.0)).0
 }
 
-/// Share of all map texels whose beam meets the visible volume.
+/// Share of all texels of the plan's region whose beam meets the visible volume.
 pub fn beam_utilisation(plan: &ShadowPlan) -> f64 {
     let used: f64 = plan
         .facets
@@ -66,7 +66,7 @@ pub fn beam_utilisation(plan: &ShadowPlan) -> f64 {
             polygon::area(&polygon::image(&facet.rows, &outline)) / 4.0 * facet.tile.texels() as f64
         })
         .sum();
-    used / (f64::from(plan.map_size_texels.0) * f64::from(plan.map_size_texels.1))
+    used / (f64::from(plan.region.width) * f64::from(plan.region.height))
 }
 
 /// Smallest possible largest isotropic footprint, in pixels, of any map with so many texels: each side face and the

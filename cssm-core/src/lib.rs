@@ -57,5 +57,5 @@ pub use case::LightCase;
 pub use choose::Chooser;
 pub use glam;
 pub use light::Light;
-pub use plan::{BoundingBox, PlanError, SceneBounds, ShadowPlan, plan};
+pub use plan::{BoundingBox, MapRegion, PlanError, PlanRequest, SceneBounds, ShadowPlan, ViewMargin, plan};
 pub use view::View;

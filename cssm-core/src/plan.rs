@@ -6,22 +6,24 @@ mod casters;
 mod dominant;
 mod finish;
 mod fitted;
+mod held;
 mod lit;
+mod make;
 mod region;
+mod request;
+mod visible;
 mod window;
 
 pub(crate) use self::dominant::DominantFacet;
 pub use self::dominant::dominant_plane;
-use self::fitted::Fitted;
-use crate::case::{FarKind, LightCase, LightKind};
-use crate::choose::{ConfigurationChoice, Kept, Prediction, choose, made_for};
-use crate::distribution;
-use crate::facet::{Facet, Selection, Tile};
-use crate::light::{Light, LightError, LightPosition};
-use crate::receivers::Polytope;
-use crate::schema::Word;
-use crate::technique::{Cone, Draft, Situation};
-use crate::view::View;
+pub use self::held::PlanBasis;
+pub(crate) use self::make::make;
+pub use self::request::{MapRegion, PlanRequest, ViewMargin};
+use crate::case::LightCase;
+use crate::choose::ConfigurationChoice;
+use crate::facet::{Facet, Selection};
+use crate::light::{Light, LightError};
+use crate::view::{View, ViewError};
 
 /// What is known about the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -82,10 +84,14 @@ pub struct ShadowPlan {
     pub depth_order: DepthOrder,
     /// Width and height of the map in texels.
     pub map_size_texels: (u32, u32),
+    /// The rectangle of the map that holds every tile; the whole map unless the request named one.
+    pub region: MapRegion,
+    /// What the plan was made from, by which it can be held over frames.
+    pub basis: PlanBasis,
     /// The walk from a receiver to its facet.
     pub selection: Selection,
     /// Facets with receivers, in order of their first cells; a cell that the selection can name but that no facet lists belongs to no visible
-    /// receiver.
+    /// receiver. Empty where the light reaches nothing visible: there is nothing to capture, and every receiver is lit.
     pub facets: Vec<Facet>,
 }
 
@@ -149,6 +155,22 @@ pub enum PlanError {
         /// Gutter of each.
         gutter: u32,
     },
+    /// The region is no part of the map.
+    #[error(
+        "the region of {} x {} texels at ({}, {}) is no part of the map of {width} x {height} texels; give a rectangle with texels inside the map",
+        .region.width, .region.height, .region.x, .region.y
+    )]
+    Region {
+        /// The region.
+        region: MapRegion,
+        /// Map width.
+        width: u32,
+        /// Map height.
+        height: u32,
+    },
+    /// The margin leaves no view.
+    #[error("the view with its margin makes no sense: {0}; plan with a smaller margin")]
+    Margin(#[source] ViewError),
     /// The numbers leave no usable matrix.
     #[error(
         "facet {facet} has no usable matrix ({why}); check the view's near and far planes and the receiver bounds"
@@ -223,7 +245,8 @@ impl Facet {
 }
 
 /// Makes this frame's plan. Total: a plan or a typed reason. Where the case declares several configurations, the one
-/// with the smallest predicted footprint is taken; [`crate::choose::Chooser`] also remembers earlier frames.
+/// with the smallest predicted footprint is taken; [`crate::choose::Chooser`] also remembers earlier frames. A thin door
+/// to [`PlanRequest::plan`], which takes more.
 ///
 /// # Errors
 /// A [`PlanError`] that says what to change.
@@ -233,11 +256,10 @@ pub fn plan(
     light: &Light,
     bounds: &SceneBounds,
 ) -> Result<ShadowPlan, PlanError> {
-    plan_over(case, view, light, bounds, &[])
+    PlanRequest::new(case, view, light, *bounds).plan()
 }
 
-/// [`plan()`], knowing bounding volumes of the receivers in world space, which may overlap and may be points: everything
-/// visible that may be in shadow must lie in one of them. Techniques that fit their map to what is seen use them.
+/// [`plan()`], knowing [bounding volumes of the receivers](PlanRequest::volumes_world).
 ///
 /// # Errors
 /// As [`plan()`].
@@ -248,233 +270,5 @@ pub fn plan_over(
     bounds: &SceneBounds,
     volumes_world: &[BoundingBox],
 ) -> Result<ShadowPlan, PlanError> {
-    plan_preferring(case, view, light, bounds, volumes_world, Kept::default())
-}
-
-/// [`plan()`], with a configuration to stay with.
-pub(crate) fn plan_preferring(
-    case: &LightCase,
-    view: &View,
-    light: &Light,
-    bounds: &SceneBounds,
-    volumes_world: &[BoundingBox],
-    kept: Kept,
-) -> Result<ShadowPlan, PlanError> {
-    // Refuse what is not finite or not declared.
-    let light_world = light.homogeneous(view.eye_world);
-    if !light_world.is_finite() {
-        return Err(PlanError::NotFinite { what: "the light" });
-    }
-    let light = light.checked()?;
-    if light.kind() != case.light {
-        let (declared, given) = (case.light.name(), light.kind().name());
-        return Err(PlanError::LightKind { declared, given });
-    }
-    if case.far == FarKind::Finite && view.far_metres.is_infinite() {
-        return Err(PlanError::InfiniteView);
-    }
-    let plane = dominant_row(view, bounds)?;
-    let eye_height_metres = bounds.eye_height_metres.or(plane.map(|plane| plane.w.abs()));
-    if eye_height_metres.is_none() && distribution::needs_eye_height(case) {
-        return Err(PlanError::EyeHeight);
-    }
-
-    // Bring the light to camera space.
-    let turned = view.camera_from_world * light_world.truncate();
-    let light_camera = if light_world.w > 0.0 { turned } else { turned.normalize() }.extend(light_world.w);
-    let cone = match light {
-        Light::Spot { direction_world, half_angle_radians, .. } => {
-            let direction = (view.camera_from_world * direction_world).normalize();
-            Some(Cone { direction, half_angle_radians })
-        }
-        Light::Directional { .. } | Light::Omni { .. } => None,
-    };
-    let mut receivers = receivers(case, view, bounds)?;
-    lit::cut(&mut receivers, &light, light_camera, cone);
-    let seen = seen(&receivers, view, volumes_world)?;
-    let situation = Situation { case, view, light: light_camera, cone, eye_height_metres, receivers, seen };
-
-    // Draft every declared configuration, fit the drafts and take the best.
-    let spec = case.technique_spec();
-    let samples = window::samples(&situation);
-    let dominant = plane.and_then(|plane| dominant::facet(&situation, plane));
-    let draft = |word: &Word| (spec.configuration(word.name).draft)(&situation, word);
-    let drafted = any(case.configurations.iter().map(draft))?.into_iter().flatten();
-    let drafts: Vec<Draft> = drafted.map(|draft| draft.with_dominant(dominant.as_ref())).collect();
-    let mut fitted = any(drafts.iter().map(|draft| fitted::fit(draft, &situation, &samples)))?;
-    if fitted.is_empty() {
-        return Err(PlanError::Degenerate {
-            facet: 0,
-            why: "no declared configuration has facets for this light; declare the technique's defaults",
-        });
-    }
-    let predictions: Vec<Prediction> = fitted.iter().map(Fitted::prediction).collect();
-    let (best_draft, reason) = choose(&predictions, kept);
-    let complete = predictions[best_draft].p95_pixels.is_finite();
-    let Fitted { draft, windows, tiles, .. } = fitted.swap_remove(best_draft);
-
-    // Store depth and shear positions the way that rounds least.
-    let position = LightPosition::of(view, light_camera);
-    let shear = match LightPosition::ray(light_camera) {
-        Some(ray) if case.technique_spec().follows_camera && LightPosition::is_near(view, ray) => ray,
-        _ => DVec2::ZERO,
-    };
-    let ahead = spec.follows_camera && light_camera.z < 0.0;
-    let orders: &[DepthOrder] = match (case.light, ahead) {
-        (LightKind::Spot | LightKind::Omni, _) => &[DepthOrder::Reversed, DepthOrder::Standard],
-        (LightKind::Directional, true) => &[DepthOrder::Reversed],
-        (LightKind::Directional, false) => &[DepthOrder::Standard],
-    };
-    let finished = |order: &DepthOrder| {
-        let rules = finish::DepthRules { order: *order, shear };
-        finish_all(&windows, &tiles, rules, &situation).map(|(facets, rounding)| (*order, facets, rounding))
-    };
-    let finished = any(orders.iter().map(finished))?;
-    let best = finished.into_iter().min_by(|(.., one), (.., two)| one.total_cmp(two));
-    let (depth_order, facets, _) =
-        best.ok_or(PlanError::Degenerate { facet: 0, why: "its depth has no order" })?;
-
-    // Turn everything to world axes.
-    let camera_from_world = view.camera_from_world;
-    let row_to_world = |row: DVec4| (camera_from_world.transpose() * row.truncate()).extend(row.w);
-    let mut facets: Vec<Facet> = facets.into_iter().map(|facet| facet.turned(&row_to_world)).collect();
-    facets.sort_by_key(Facet::first_cell);
-    let shape = case.shape();
-    let mut selection = draft.selection.clone().padded(&shape);
-    if case.scales_thresholds() && selection.units.is_empty() {
-        // Another configuration of the case scales its limits; this one's are plain.
-        selection.units = vec![DVec4::W; (shape.halves * shape.sectors) as usize];
-    }
-    if !case.scales_thresholds() {
-        selection.units.clear();
-    }
-    for row in selection.rows_mut() {
-        *row = row_to_world(*row);
-    }
-    let configuration = draft.configuration;
-    let choice = ConfigurationChoice {
-        position,
-        configuration,
-        reason,
-        predictions: if predictions.len() > 1 { predictions } else { Vec::new() },
-        complete,
-        fallback: draft.fallback,
-        made_for_position: made_for(case, position),
-    };
-    Ok(ShadowPlan {
-        configuration,
-        choice,
-        eye_world: view.eye_world,
-        camera_from_world,
-        shear,
-        light: light_world,
-        depth_order,
-        map_size_texels: (case.map.width, case.map.height),
-        selection,
-        facets,
-    })
-}
-
-/// Finishes every window in camera space; also says how far rounding moves depth: the logarithm of texels, averaged over
-/// the receivers of the view.
-fn finish_all(
-    windows: &[window::Window<'_>],
-    tiles: &[Tile],
-    rules: finish::DepthRules,
-    situation: &Situation<'_>,
-) -> Result<(Vec<Facet>, f64), PlanError> {
-    let shape = situation.case.shape();
-    let mut facets = Vec::with_capacity(windows.len());
-    let mut moved = 0.0;
-    for (window, tile) in windows.iter().zip(tiles) {
-        let cells = if window.draft.is_dominant() {
-            vec![shape.cells() - 1]
-        } else {
-            window.draft.cells.iter().map(|cell| cell.index(shape.sectors, shape.bands)).collect()
-        };
-        let (facet, rounding) = finish::finish(window, *tile, cells, rules, situation)?;
-        moved += window.seen as f64 * libm::log(rounding.max(f64::MIN_POSITIVE));
-        facets.push(facet);
-    }
-    Ok((facets, moved))
-}
-
-/// The dominant plane as unit normal and offset, camera space.
-fn dominant_row(view: &View, bounds: &SceneBounds) -> Result<Option<DVec4>, PlanError> {
-    let Some(WorldPlane { point_world, normal_world }) = bounds.dominant_plane else { return Ok(None) };
-    let normal = normal_world.try_normalize().filter(|_| point_world.is_finite());
-    let normal =
-        normal.ok_or(PlanError::NotFinite { what: "the dominant plane, or its normal's inverse length," })?;
-    let offset = -normal.dot(point_world - view.eye_world);
-    Ok(Some((view.camera_from_world * normal).extend(offset)))
-}
-
-/// What succeeded; the first error only where nothing did.
-fn any<T>(results: impl Iterator<Item = Result<T, PlanError>>) -> Result<Vec<T>, PlanError> {
-    let (mut found, mut first_error) = (Vec::new(), None);
-    for result in results {
-        match result {
-            Ok(one) => found.push(one),
-            Err(error) => first_error = first_error.or(Some(error)),
-        }
-    }
-    match first_error {
-        Some(error) if found.is_empty() => Err(error),
-        _ => Ok(found),
-    }
-}
-
-/// Corners of what is visible of some volumes, camera space.
-fn seen(receivers: &Polytope, view: &View, volumes_world: &[BoundingBox]) -> Result<Vec<DVec4>, PlanError> {
-    let mut corners = Vec::new();
-    for volume in volumes_world {
-        if !volume.min.is_finite() || !volume.max.is_finite() {
-            return Err(PlanError::NotFinite { what: "a receivers' bounding volume" });
-        }
-        if volume.min.cmpgt(volume.max).any() {
-            return Err(PlanError::Bounds { min: volume.min, max: volume.max });
-        }
-        if volume.min == volume.max {
-            // A visible point needs no cutting.
-            let point = (view.camera_from_world * (volume.min - view.eye_world)).extend(1.0);
-            corners.extend(receivers.contains(point).then_some(point));
-        } else {
-            let mut visible = receivers.clone();
-            visible.cut_by_box(volume, view.eye_world, &view.camera_from_world);
-            corners.extend(visible.vertices);
-        }
-    }
-    Ok(corners)
-}
-
-/// Everything visible that may be in shadow, in camera space.
-fn receivers(case: &LightCase, view: &View, bounds: &SceneBounds) -> Result<Polytope, PlanError> {
-    let far = case.shadow_distance_metres.map_or(view.far_metres, |distance| distance.min(view.far_metres));
-    if far <= view.near_metres {
-        return Ok(Polytope::empty());
-    }
-    let mut receivers = Polytope::frustum(view, far);
-    if let Some(bounds) = &bounds.receivers {
-        if !bounds.min.is_finite() || !bounds.max.is_finite() {
-            return Err(PlanError::NotFinite { what: "the receivers' bounding box" });
-        }
-        if bounds.min.cmpgt(bounds.max).any() {
-            return Err(PlanError::Bounds { min: bounds.min, max: bounds.max });
-        }
-        receivers.cut_by_box(bounds, view.eye_world, &view.camera_from_world);
-    }
-    Ok(receivers)
-}
-
-impl Facet {
-    /// The facet with every row and vertex turned from camera axes to world axes.
-    fn turned(mut self, row_to_world: &impl Fn(DVec4) -> DVec4) -> Self {
-        let rows = [&mut self.rows.x, &mut self.rows.y, &mut self.rows.z, &mut self.rows.w];
-        let lists = [&mut self.select, &mut self.clip, &mut self.casters, &mut self.receivers];
-        // The rotation is orthogonal, so points turn as rows do.
-        for row in rows.into_iter().chain(lists.into_iter().flatten()) {
-            *row = row_to_world(*row);
-        }
-        self
-    }
+    PlanRequest { volumes_world, ..PlanRequest::new(case, view, light, *bounds) }.plan()
 }

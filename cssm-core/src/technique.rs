@@ -184,8 +184,11 @@ impl TechniqueSpec {
 pub struct Situation<'a> {
     /// The declaration.
     pub case: &'a LightCase,
-    /// The view. Its place and rotation matter only to techniques that hold texels still in the world.
+    /// The view; its far plane is no farther than shadows reach. Its place and rotation matter only to techniques that
+    /// hold texels still in the world.
     pub view: &'a View,
+    /// Width and height in texels of the part of the map that the facets share.
+    pub map_size_texels: (u32, u32),
     /// The light as a homogeneous point: unit direction towards it, w = 0; position of a local light, w = 1.
     pub light: DVec4,
     /// Axis of a spot light's cone, away from the light.
@@ -203,6 +206,16 @@ impl Situation<'_> {
     /// the visible polytope.
     pub fn seen(&self) -> &[DVec4] {
         if self.seen.is_empty() { &self.receivers.vertices } else { &self.seen }
+    }
+
+    /// A tile of a declared size, which is meant for the whole map, in the part of it that the facets share.
+    fn tile_size(&self, (width, height): (u32, u32)) -> (u32, u32) {
+        let map = self.case.map;
+        let scaled = |side: u32, part: u32, whole: u32| {
+            u32::try_from(u64::from(side) * u64::from(part) / u64::from(whole.max(1))).unwrap_or(side)
+        };
+        let (part_width, part_height) = self.map_size_texels;
+        (scaled(width, part_width, map.width), scaled(height, part_height, map.height))
     }
 }
 

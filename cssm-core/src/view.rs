@@ -5,6 +5,8 @@
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
+mod widen;
+
 /// A perspective view.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {

@@ -464,6 +464,7 @@ fn a_table_of_focus_lines_replaces_the_search() {
     let case = plain("trapezoidal");
     let situation = |angle: f64| Situation {
         case: &case,
+        map_size_texels: (case.map.width, case.map.height),
         view: &view,
         light: DVec3::new(0.0, angle.sin(), angle.cos()).extend(0.0),
         cone: None,

@@ -50,7 +50,7 @@ pub(super) fn finish(
 ) -> Result<(Facet, f64), PlanError> {
     // Keep gutters free.
     let inset = region::inset(&window.rows, &window.draft.region, &tile);
-    let (mut rows, clip) = inset.ok_or_else(|| map_area(situation.case).too_small(1))?;
+    let (mut rows, clip) = inset.ok_or_else(|| map_area(situation).too_small(1))?;
 
     // Measure texels across the light, per w.
     let texels = TexelsPerW::measure(&rows, &tile, &window.samples);

@@ -4,7 +4,6 @@ use glam::DVec3;
 
 use super::PlanError;
 use super::window::{self, Window};
-use crate::case::LightCase;
 use crate::choose::Prediction;
 use crate::facet::Tile;
 use crate::layout::{self, MapArea, TileDemand};
@@ -30,14 +29,14 @@ impl Fitted<'_> {
     }
 }
 
-/// Fits the windows of a draft and shares the map among them.
+/// Fits the windows of a draft and shares the situation's part of the map among them; tiles count from its corner.
 pub(super) fn fit<'a>(
     draft: &'a Draft,
     situation: &Situation<'_>,
     samples: &[DVec3],
 ) -> Result<Fitted<'a>, PlanError> {
     let (mut windows, outside) = window::fit(draft, situation, samples);
-    let whole = map_area(situation.case);
+    let whole = map_area(situation);
 
     // The dominant plane's facet takes a strip over the whole width: it is as wide as the screen.
     let has_dominant = windows.iter().any(|window| window.draft.is_dominant());
@@ -104,12 +103,9 @@ pub(super) fn fit<'a>(
     Ok(Fitted { draft, windows, tiles, p95_pixels })
 }
 
-/// The map of a case.
-pub(super) fn map_area(case: &LightCase) -> MapArea {
-    MapArea {
-        width: case.map.width,
-        height: case.map.height,
-        gutter: case.gutter_texels(),
-        strips: case.map.columns,
-    }
+/// The part of the map that a situation's facets share.
+pub(super) fn map_area(situation: &Situation<'_>) -> MapArea {
+    let (width, height) = situation.map_size_texels;
+    let case = situation.case;
+    MapArea { width, height, gutter: case.gutter_texels(), strips: case.map.columns }
 }

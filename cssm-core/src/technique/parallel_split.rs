@@ -82,7 +82,10 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         let (rows, given) = rows(situation, &receivers);
         fallback = [fallback, given].into_iter().flatten().max_by(|one, two| one.share.total_cmp(&two.share));
         let region = Region::Tile(match arguments.sizes("sizes") {
-            Some(sizes) => TileRequest::Fixed(sizes[slab].0, sizes[slab].1),
+            Some(sizes) => {
+                let (width, height) = situation.tile_size(sizes[slab]);
+                TileRequest::Fixed(width, height)
+            }
             None => TileRequest::Share(1.0 / f64::from(splits)),
         });
         FacetDraft::straight(Cell::of(0, index), rows, (select, receivers), region)

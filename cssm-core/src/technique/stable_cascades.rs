@@ -11,7 +11,7 @@ use super::{
     ConfigurationSpec, Draft, FacetDraft, Region, Situation, TechniqueSpec, TileRequest, only_directional,
     slabs, standard::light_plane_axes,
 };
-use crate::case::{LightCase, LightKind};
+use crate::case::LightKind;
 use crate::facet::{Cell, FacetShape};
 use crate::plan::PlanError;
 use crate::receivers::DEPTH_ROW;
@@ -53,12 +53,11 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
     let view = situation.view;
 
     // Slabs of the whole view, wherever receivers are: what moves with the scene is not stable.
-    let far = case.shadow_distance_metres.map_or(view.far_metres, |distance| distance.min(view.far_metres));
-    let (near, far) =
-        if far.is_finite() { (view.near_metres, far) } else { situation.receivers.range(DEPTH_ROW) };
+    let (near, far) = (view.near_metres, view.far_metres);
+    let (near, far) = if far.is_finite() { (near, far) } else { situation.receivers.range(DEPTH_ROW) };
     let limits = slabs::limits_metres(case, near, far);
     let ends: Vec<f64> = [near].into_iter().chain(limits.iter().copied()).chain([far]).collect();
-    let sizes = sizes(case, splits);
+    let sizes = sizes(situation, splits);
     let to_camera = view.camera_from_world;
     let (right, up) = light_plane_axes((to_camera.transpose() * situation.light.truncate()).extend(0.0));
 
@@ -91,11 +90,12 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
 }
 
 /// Tile of each slab: as declared, or the largest equal squares that the map holds.
-fn sizes(case: &LightCase, splits: u32) -> Vec<(u32, u32)> {
-    if let Some(sizes) = case.technique.arguments.sizes(slabs::SIZES.name) {
-        return sizes.to_vec();
+fn sizes(situation: &Situation<'_>, splits: u32) -> Vec<(u32, u32)> {
+    if let Some(sizes) = situation.case.technique.arguments.sizes(slabs::SIZES.name) {
+        return sizes.iter().map(|size| situation.tile_size(*size)).collect();
     }
-    let side = |columns: u32| (case.map.width / columns).min(case.map.height / splits.div_ceil(columns));
+    let (width, height) = situation.map_size_texels;
+    let side = |columns: u32| (width / columns).min(height / splits.div_ceil(columns));
     let largest = (1..=splits).map(side).max().unwrap_or(0);
     vec![(largest, largest); splits as usize]
 }

@@ -177,7 +177,7 @@ impl Focused {
 
     /// The share of the map's rows before the focus line with which the region covers most of the map.
     fn best_share(&self, warped: &Warped<'_>) -> f64 {
-        let rows = warped.situation.case.map.height;
+        let (_, rows) = warped.situation.map_size_texels;
         search::largest_region(&self.plane, warped.receivers, &self.region, &self.rule, rows)
     }
 }
@@ -216,11 +216,7 @@ fn focus_depth(warped: &Warped<'_>) -> f64 {
     let situation = warped.situation;
     let (near, far) = warped.depths_metres;
     let declared = warped.arguments.number("focus").unwrap_or(10.0);
-    let view_far = situation
-        .case
-        .shadow_distance_metres
-        .map_or(situation.view.far_metres, |distance| distance.min(situation.view.far_metres));
-    let whole = view_far - situation.view.near_metres;
+    let whole = situation.view.far_metres - situation.view.near_metres;
     let focus = if situation.light.w > 0.0 && whole.is_finite() {
         near + (declared - situation.view.near_metres).max(0.0) * (far - near) / whole
     } else {

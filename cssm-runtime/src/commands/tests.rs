@@ -4,9 +4,9 @@ use cssm_core::choose::{ChoiceReason, ConfigurationChoice};
 use cssm_core::facet::{Facet, FacetRows, Selection, Tile};
 use cssm_core::glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
 use cssm_core::light::LightPosition;
-use cssm_core::plan::DepthOrder;
+use cssm_core::plan::{DepthOrder, MapRegion, PlanBasis};
 use cssm_core::remap::Remap;
-use cssm_core::{BoundingBox, ShadowPlan};
+use cssm_core::{BoundingBox, Light, ShadowPlan};
 
 use super::*;
 
@@ -73,6 +73,14 @@ fn plan(facets: Vec<Facet>) -> ShadowPlan {
         depth_order: DepthOrder::Standard,
         light: DVec4::Z,
         map_size_texels: (100, 20),
+        region: MapRegion { x: 0, y: 0, width: 100, height: 20 },
+        basis: PlanBasis {
+            light: Light::Directional { toward_light_world: DVec3::Z },
+            follows_camera: false,
+            receivers: Vec::new(),
+            lit: Vec::new(),
+            p95_pixels: 1.0,
+        },
         selection: Selection::single(),
         facets,
     }

@@ -105,9 +105,9 @@ impl Square {
 
         // Take t in, with room for the gutters of the smallest triangle.
         let t = LightPosition::ray(situation.light)?;
-        let map = situation.case.map;
+        let (map_width, map_height) = situation.map_size_texels;
         let gutters = MARGIN_GUTTERS * f64::from(situation.case.gutter_texels() + 1);
-        let margin = size * BORDER_MARGIN.max(gutters / f64::from(map.width.min(map.height)));
+        let margin = size * BORDER_MARGIN.max(gutters / f64::from(map_width.min(map_height)));
         let (low, high) = LightPosition::take_in(low, high, t, margin);
         let enlarged = Self { low, high, t };
         let area = |size: DVec2| size.x * size.y;

@@ -11,8 +11,8 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use cssm_core::{LightCase, SceneBounds, View};
-use cssm_runtime::lights::{CaseHandle, LightDescription, LightFrame, LightHandle, LightOptions, ViewId};
 use cssm_runtime::CasterInstance;
+use cssm_runtime::lights::{CaseHandle, LightDescription, LightFrame, LightHandle, LightOptions, ViewId};
 use serde::Serialize;
 use shaders_gen::shipped;
 
@@ -125,8 +125,15 @@ pub fn run(arguments: &LightsArguments, progress: Progress) -> Result<String, La
     let frame = Frame::trace(&tracer, &view, &town.lights[0].light, &|_| ());
     let surface = Surface::new(&gpu, &view, &frame)?;
     let owned_texels = host.runner.report().owned_texels;
-    let bench =
-        Bench { gpu: &gpu, scene: &scene, tracer: &tracer, buffers: &buffers, frame: &frame, view, surface: &surface };
+    let bench = Bench {
+        gpu: &gpu,
+        scene: &scene,
+        tracer: &tracer,
+        buffers: &buffers,
+        frame: &frame,
+        view,
+        surface: &surface,
+    };
     let judgements = host.judge(&bench, arguments.judged, progress)?;
     overlay::write(&arguments.out, &host, &bench)?;
     let costs = MOTIONS
@@ -219,8 +226,7 @@ impl<'a> Host<'a> {
         let generated = town.cases.iter().map(cssm_codegen::generate).collect::<Result<Vec<_>, _>>()?;
         let tables: Vec<_> = town.cases.iter().zip(generated.iter().map(|one| &one.table)).collect();
         let mut runner = LightRunner::new(gpu, &tables, options)?;
-        let casters =
-            buffers.add_by(&mut |description| runner.service.add_mesh(description), town.scene)?;
+        let casters = buffers.add_by(&mut |description| runner.service.add_mesh(description), town.scene)?;
         let mut handles = Vec::with_capacity(town.lights.len());
         for (index, planted) in town.lights.iter().enumerate() {
             let usual = LightDescription::new(town.case(index), planted.light);

@@ -138,16 +138,22 @@ pub enum ServiceError {
     #[error("the mask pass reads normals from a texture; give MaskInputs::normal")]
     MissingNormal,
     /// No case was declared.
-    #[error("a light service needs at least one light case; pass the declared cases with their generated tables")]
+    #[error(
+        "a light service needs at least one light case; pass the declared cases with their generated tables"
+    )]
     NoCases,
     /// The table was generated from another declaration.
-    #[error("the table is not that of case {case}; pass the table that was generated from this very declaration")]
+    #[error(
+        "the table is not that of case {case}; pass the table that was generated from this very declaration"
+    )]
     ForeignTable {
         /// Name of the case.
         case: String,
     },
     /// Cases that share a map declare different ones.
-    #[error("case {case} declares another map than the first case; give all cases of a service one map size and format")]
+    #[error(
+        "case {case} declares another map than the first case; give all cases of a service one map size and format"
+    )]
     MixedMaps {
         /// Name of the case that differs.
         case: String,
@@ -162,7 +168,9 @@ pub enum ServiceError {
     #[error("the light was removed or belongs to another service; add it again")]
     UnknownLight,
     /// A light is of another kind than its case's.
-    #[error("case {case} declares light: {declared}, but a light of another kind uses it; use a case of the light's kind")]
+    #[error(
+        "case {case} declares light: {declared}, but a light of another kind uses it; use a case of the light's kind"
+    )]
     LightKind {
         /// Name of the case.
         case: String,
@@ -170,14 +178,16 @@ pub enum ServiceError {
         declared: &'static str,
     },
     /// A number of a light's description makes no sense.
-    #[error("the light's {what} makes no sense; give positive, finite numbers, and a largest side that is not below the smallest")]
+    #[error(
+        "the light's {what} makes no sense; give positive, finite numbers, and a largest side that is not below the smallest"
+    )]
     LightSetting {
         /// What is wrong.
         what: &'static str,
     },
     /// The light makes no sense.
     #[error(transparent)]
-    Light(#[from] cssm_core::LightError),
+    Light(#[from] cssm_core::light::LightError),
     /// One of the two lists of casters is at fault.
     #[error("in the list of {list} casters: {source}")]
     Casters {

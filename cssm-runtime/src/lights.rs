@@ -38,8 +38,8 @@ mod tiles;
 
 use std::sync::Arc;
 
-use cssm_core::{LightCase, ShadowPlan, View};
 use cssm_core::table::CaseTable;
+use cssm_core::{LightCase, ShadowPlan, View};
 
 pub use description::{CaseHandle, LightDescription, LightFrame, LightHandle, LightOptions, Update, ViewId};
 pub use prepared::PreparedLights;
@@ -131,7 +131,8 @@ impl LightService {
         options: &LightOptions,
     ) -> Result<Self, ServiceError> {
         let (first, _) = *cases.first().ok_or(ServiceError::NoCases)?;
-        let layers = Layers::new(device, texture_format(first.map.format), first.map.width, first.map.height)?;
+        let layers =
+            Layers::new(device, texture_format(first.map.format), first.map.width, first.map.height)?;
         let served = |(case, table): &(&LightCase, &CaseTable)| {
             ServedCase::new(device, queue, case, table, options, &layers.main)
         };
@@ -230,7 +231,9 @@ impl LightService {
         self.views.retain(|known| known.id != view);
         for served in self.lights.iter_mut().filter_map(|entry| entry.light.as_mut()) {
             served.shadows.retain(|shadow| {
-                if shadow.view == view && let Some(place) = shadow.place {
+                if shadow.view == view
+                    && let Some(place) = shadow.place
+                {
                     self.places.give_back(place);
                 }
                 shadow.view != view
@@ -262,9 +265,12 @@ impl LightService {
         let mut served = ServedCase::new(device, queue, case, table, &self.options, &self.layers.main)?;
         self.meshes.add_all_to(&mut served.service, index)?;
         self.cases[index] = served;
-        for served in self.lights.iter_mut().filter_map(|entry| entry.light.as_mut()).filter(|one| {
-            one.description.case == handle
-        }) {
+        for served in self
+            .lights
+            .iter_mut()
+            .filter_map(|entry| entry.light.as_mut())
+            .filter(|one| one.description.case == handle)
+        {
             served.shadows.iter_mut().for_each(|shadow| shadow.held = None);
         }
         Ok(())

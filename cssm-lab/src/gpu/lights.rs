@@ -71,7 +71,8 @@ impl<'g> LightRunner<'g> {
     /// What the service or the device says.
     pub fn visibility(&self, light: LightHandle, surface: &Surface) -> Result<Vec<f32>, GpuError> {
         let case = self.service.light(light).map_or(0, |description| description.case.0 as usize);
-        let (Some(function), Some(shadow)) = (self.functions.get(case), self.prepared.shadow_bind_group(light))
+        let (Some(function), Some(shadow)) =
+            (self.functions.get(case), self.prepared.shadow_bind_group(light))
         else {
             return Ok(vec![1.0; surface.size.0 as usize * surface.size.1 as usize]);
         };

@@ -78,7 +78,8 @@ impl Bench<'_> {
         let Some(plan) = runner.plan(handle, &self.view) else {
             // A light without shadows is judged as lit.
             let pixels = sight.frame.pixels.iter().flatten().filter(|pixel| pixel.faces_light());
-            let (judged, wrong) = pixels.fold((0, 0), |(all, wrong), pixel| (all + 1, wrong + u64::from(!pixel.lit)));
+            let (judged, wrong) =
+                pixels.fold((0, 0), |(all, wrong), pixel| (all + 1, wrong + u64::from(!pixel.lit)));
             return Ok(Judgement {
                 name: name.to_owned(),
                 side_texels: 0,
@@ -98,8 +99,7 @@ impl Bench<'_> {
         (own.map.width, own.map.height) = (plan.region.width, plan.region.height);
         let generated = cssm_codegen::generate(&own)?;
         let method = ResolveMethod::Function;
-        let mut alone =
-            CaseRunner::new(self.gpu, &own, &generated.table, self.scene, self.buffers, method)?;
+        let mut alone = CaseRunner::new(self.gpu, &own, &generated.table, self.scene, self.buffers, method)?;
         let own_plan = PlanRequest::new(&own, &self.view, &light, sight.bounds).plan()?;
         let prepared = alone.prepare(&own_plan, &self.view)?;
         let visibility = alone.visibility(self.gpu, &prepared, self.surface)?;

@@ -76,8 +76,7 @@ pub fn write_strip(
         view.size_pixels = STRIP_PIXELS;
         let frame = Frame::trace(tracer, &view, &town.lights[0].light, &|_| ());
         let surface = Surface::new(gpu, &view, &frame)?;
-        let bench =
-            Bench { gpu, scene: &scene, tracer, buffers, frame: &frame, view, surface: &surface };
+        let bench = Bench { gpu, scene: &scene, tracer, buffers, frame: &frame, view, surface: &surface };
         let (lit, _) = lit(&host, &bench)?;
         let report = host.runner.report();
         let share = 100.0 * report.redrawn_texels as f64 / report.owned_texels.max(1) as f64;
@@ -107,7 +106,11 @@ fn lit(host: &Host, bench: &Bench) -> Result<(Picture, Picture), LabError> {
                 continue;
             }
             let distance = planted.light.distance_metres(place);
-            let fall = if distance.is_finite() { (HALF_METRES / (HALF_METRES + distance)).powi(2) * 4.0 } else { 1.0 };
+            let fall = if distance.is_finite() {
+                (HALF_METRES / (HALF_METRES + distance)).powi(2) * 4.0
+            } else {
+                1.0
+            };
             let cosine = seen.normal.dot(planted.light.toward_world(place)).max(0.0);
             let strength = fall * cosine * f64::from(visibility[pixel]);
             sums[pixel] += colour * strength;
@@ -167,7 +170,13 @@ fn tiles(host: &Host, side: usize) -> Result<Picture, LabError> {
             }
             let colour = if shown.redrawn { REDRAWN } else { HELD };
             let size = |from: u32, length: u32| at(from + length) - at(from);
-            picture.outline(at(tile.x), at(tile.y), size(tile.x, tile.width), size(tile.y, tile.height), colour);
+            picture.outline(
+                at(tile.x),
+                at(tile.y),
+                size(tile.x, tile.width),
+                size(tile.y, tile.height),
+                colour,
+            );
         }
     }
     for (index, light) in report.lights.iter().enumerate() {

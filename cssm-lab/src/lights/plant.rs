@@ -96,7 +96,8 @@ fn nearest(scene: &Scene, mesh: &str, point: DVec3) -> Vec<usize> {
     let is_named = |instance: &Instance| scene.meshes[instance.mesh].name == mesh;
     let mut found: Vec<usize> =
         (0..scene.instances.len()).filter(|index| is_named(&scene.instances[*index])).collect();
-    let distance = |index: &usize| scene.instances[*index].world_from_object.translation.distance_squared(point);
+    let distance =
+        |index: &usize| scene.instances[*index].world_from_object.translation.distance_squared(point);
     found.sort_by(|one, two| distance(one).total_cmp(&distance(two)));
     found
 }

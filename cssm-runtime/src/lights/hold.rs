@@ -25,7 +25,8 @@ pub(super) struct Motion {
 impl Motion {
     /// The motion from one view to the next; `None` where the image changed as well.
     pub(super) fn between(previous: &View, view: &View) -> Option<Self> {
-        let image = |view: &View| (view.left, view.right, view.bottom, view.top, view.near_metres, view.far_metres);
+        let image =
+            |view: &View| (view.left, view.right, view.bottom, view.top, view.near_metres, view.far_metres);
         if image(previous) != image(view) || previous.size_pixels != view.size_pixels {
             return None;
         }
@@ -102,4 +103,3 @@ pub(super) fn plan(
     *reach = reach.max(1.0);
     Ok((exact, best_pixels))
 }
-

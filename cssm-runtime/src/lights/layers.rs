@@ -38,8 +38,7 @@ impl Layers {
         width: u32,
         height: u32,
     ) -> Result<Self, ServiceError> {
-        let main =
-            checked(device, "the shared map", || {
+        let main = checked(device, "the shared map", || {
             depth_texture(device, "cssm shared map", format, width, height)
         })?;
         let module = checked(device, "the shader of tiles", || {

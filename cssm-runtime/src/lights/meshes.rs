@@ -69,7 +69,12 @@ impl LightService {
 
 impl Meshes {
     /// A mesh as a case keeps it.
-    pub(super) fn mesh<'s>(&self, service: &'s ShadowService, case: usize, mesh: MeshHandle) -> Option<&'s Mesh> {
+    pub(super) fn mesh<'s>(
+        &self,
+        service: &'s ShadowService,
+        case: usize,
+        mesh: MeshHandle,
+    ) -> Option<&'s Mesh> {
         let entry = self.entries.get(mesh.index as usize)?;
         let handle = entry.handles.get(case).filter(|_| entry.generation == mesh.generation)?;
         service.mesh(*handle)
@@ -89,7 +94,11 @@ impl Meshes {
     ///
     /// # Errors
     /// As [`ShadowService::add_mesh`]. Nothing changes here then.
-    pub(super) fn add_all_to(&mut self, service: &mut ShadowService, case: usize) -> Result<(), ServiceError> {
+    pub(super) fn add_all_to(
+        &mut self,
+        service: &mut ShadowService,
+        case: usize,
+    ) -> Result<(), ServiceError> {
         let add = |entry: &Entry| match &entry.stored {
             Some(stored) => service.add_mesh(&stored.description()).map(Some),
             None => Ok(None),

@@ -1,21 +1,23 @@
 //! One view of one frame: which lights need another plan, which tiles other casters, and the commands that bring both
 //! about.
 
+use cssm_core::facet::Facet;
 use cssm_core::plan::{MapRegion, PlanRequest};
 use cssm_core::{LightCase, PlanError, ShadowPlan, View};
 
 use super::description::{LightDescription, LightFrame, LightHandle, Update};
 use super::hold::{self, Motion, Need};
 use super::prepared::{PreparedLights, PreparedShadow};
-use super::report::{LightReport, LightState, LightStatistics, TileStatistics};
+use super::report::{LightState, LightStatistics, TileStatistics};
 use super::scissor::scissor;
-use super::shadow::{Content, Fill, Held, Shadow, TileState};
+use super::shadow::{Content, Fill, Held, Shadow, TileState, TileWork};
 use super::{LightService, Scratch, ServedCase, ServedView};
 use crate::casters::CasterScene;
-use crate::commands::FrameCommands;
+use crate::commands::{FrameCommands, MeshFacts};
 use crate::error::ServiceError;
 use crate::frame::PreparedFrame;
 use crate::gpu::Gpu;
+use crate::mesh::MeshHandle;
 use crate::scope::checked;
 use crate::upload::{Plans, check_plan, upload};
 
@@ -32,11 +34,7 @@ impl LightService {
     ///
     /// # Errors
     /// Unknown meshes and transforms that are not finite, naming the list and the instance; a lost device, no memory.
-    pub fn prepare(
-        &mut self,
-        frame: &LightFrame,
-        prepared: &mut PreparedLights,
-    ) -> Result<(), ServiceError> {
+    pub fn prepare(&mut self, frame: &LightFrame, prepared: &mut PreparedLights) -> Result<(), ServiceError> {
         self.update_casters(frame)?;
         self.number += 1;
         let motion = self.motion(frame);
@@ -128,7 +126,9 @@ impl LightService {
         let mut wishes: Vec<(f64, usize)> = Vec::new();
         for index in 0..self.lights.len() {
             let turn = self.is_its_turn(index);
-            let Some((served, shadow, case)) = parts(&mut self.lights, &self.cases, index, frame) else { continue };
+            let Some((served, shadow, case)) = parts(&mut self.lights, &self.cases, index, frame) else {
+                continue;
+            };
             let Some(region) = shadow.region() else {
                 shadow.held = None;
                 continue;
@@ -138,9 +138,10 @@ impl LightService {
                 Need::Nothing => {}
                 Need::Better => {
                     if turn {
-                        let cost = shadow.held.as_ref().map_or(1.0, |held| {
-                            held.plan.p95_pixels(frame.view) / held.best_pixels
-                        });
+                        let cost = shadow
+                            .held
+                            .as_ref()
+                            .map_or(1.0, |held| held.plan.p95_pixels(frame.view) / held.best_pixels);
                         wishes.push((served.priority * cost, index));
                     }
                 }
@@ -156,8 +157,12 @@ impl LightService {
         // What could be better comes after what must be, the worst first.
         wishes.sort_unstable_by(|one, other| other.0.total_cmp(&one.0).then(one.1.cmp(&other.1)));
         for (_, index) in wishes {
-            let Some((served, shadow, case)) = parts(&mut self.lights, &self.cases, index, frame) else { continue };
-            let Some(region) = shadow.region().filter(|region| texels(*region) <= left_texels) else { continue };
+            let Some((served, shadow, case)) = parts(&mut self.lights, &self.cases, index, frame) else {
+                continue;
+            };
+            let Some(region) = shadow.region().filter(|region| texels(*region) <= left_texels) else {
+                continue;
+            };
             left_texels -= texels(region);
             planned += 1;
             self.serial += 1;
@@ -218,7 +223,19 @@ impl LightService {
                 draws_still |= work.draw_still;
                 part.works.push((position, state.tile, work));
             }
-            build(part, held, case, case_index, static_casters, dynamic_casters, scratch, meshes, &mut statistics, &mut next.report)?;
+            let facts = |mesh| meshes.facts(&case.service, case_index, mesh);
+            part.build(
+                &held.plan,
+                &held.tiles,
+                static_casters,
+                dynamic_casters,
+                facts,
+                scratch,
+                &mut statistics,
+            )?;
+            let static_texels = part.works.iter().filter(|(.., work)| work.draw_still);
+            let static_texels: u64 = static_texels.map(|(_, tile, _)| tile.texels()).sum();
+            next.report.add(&statistics, static_texels);
             if held.light != description.light && statistics.state == LightState::Current {
                 statistics.state = LightState::Waits;
             }
@@ -301,8 +318,8 @@ impl Shadow {
         match hold::plan(request, motion, &mut self.reach) {
             Ok((plan, best_pixels)) => {
                 self.estimate(&plan, request.view, side, description);
-                self.held = (!plan.facets.is_empty())
-                    .then(|| Held::new(plan, serial, *request.light, best_pixels));
+                self.held =
+                    (!plan.facets.is_empty()).then(|| Held::new(plan, serial, *request.light, best_pixels));
                 false
             }
             Err(PlanError::MapTooSmall { .. }) if side < description.max_side_texels => {
@@ -377,59 +394,53 @@ impl TileState {
     }
 }
 
-/// Builds the draws of the tiles that change, and counts them.
-#[allow(clippy::too_many_arguments, reason = "the parts of the service that one light's commands are made from")]
-fn build(
-    part: &mut PreparedShadow,
-    held: &Held,
-    case: &ServedCase,
-    case_index: usize,
-    static_casters: &CasterScene,
-    dynamic_casters: &CasterScene,
-    scratch: &mut Scratch,
-    meshes: &super::meshes::Meshes,
-    statistics: &mut LightStatistics,
-    report: &mut LightReport,
-) -> Result<(), ServiceError> {
-    let facts = |mesh| meshes.facts(&case.service, case_index, mesh);
-    let PreparedShadow { works, still, fixed, dynamic, .. } = part;
-    let Scratch { commands: memory, statistics: counts, .. } = scratch;
-    let lists = [
-        (still, static_casters, "static", 0),
-        (fixed, static_casters, "static", 1),
-        (dynamic, dynamic_casters, "dynamic", 2),
-    ];
-    for (list, casters, name, kind) in lists {
-        let chosen = works.iter().filter(|(_, _, work)| match kind {
-            0 => work.draw_still,
-            1 => work.fill == Fill::Draw,
-            _ => work.content.dynamic != 0,
-        });
-        let facets = chosen.flat_map(|(position, ..)| held.tiles[*position].facets.iter().copied());
-        list.rebuild(&held.plan, facets, casters, facts, memory, counts)
-            .map_err(|source| ServiceError::Casters { list: name, source: Box::new(source) })?;
-        statistics.draws += counts.draws;
-        statistics.triangles += counts.triangles;
-    }
+impl PreparedShadow {
+    /// Builds the draws of the tiles that change, and counts them.
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "the parts of the service that one light's commands are made from"
+    )]
+    fn build<'m>(
+        &mut self,
+        plan: &ShadowPlan,
+        tiles: &[TileState],
+        static_casters: &CasterScene,
+        dynamic_casters: &CasterScene,
+        facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
+        scratch: &mut Scratch,
+        statistics: &mut LightStatistics,
+    ) -> Result<(), ServiceError> {
+        let Self { works, still, fixed, dynamic, .. } = self;
+        let Scratch { commands: memory, statistics: counts, .. } = scratch;
+        let drawn_still: fn(&TileWork) -> bool = |work| work.draw_still;
+        let drawn_fixed: fn(&TileWork) -> bool = |work| work.fill == Fill::Draw;
+        let drawn_dynamic: fn(&TileWork) -> bool = |work| work.content.dynamic != 0;
+        let lists = [
+            (still, drawn_still, static_casters, "static"),
+            (fixed, drawn_fixed, static_casters, "static"),
+            (dynamic, drawn_dynamic, dynamic_casters, "dynamic"),
+        ];
+        for (list, is_drawn, casters, name) in lists {
+            let chosen = works.iter().filter(|(.., work)| is_drawn(work));
+            let facets = chosen.flat_map(|(position, ..)| tiles[*position].facets.iter().copied());
+            list.rebuild(plan, facets, casters, &facts, memory, counts)
+                .map_err(|source| ServiceError::Casters { list: name, source: Box::new(source) })?;
+            statistics.draws += counts.draws;
+            statistics.triangles += counts.triangles;
+        }
 
-    // Count texels and list the tiles.
-    for (_, tile, work) in works.iter() {
-        statistics.redrawn_texels += tile.texels();
-        report.static_texels += if work.draw_still { tile.texels() } else { 0 };
+        // List the tiles.
+        statistics.redrawn_texels = works.iter().map(|(_, tile, _)| tile.texels()).sum();
+        statistics.tiles.extend(tiles.iter().enumerate().map(|(position, state)| {
+            let facet = state.facets.first().and_then(|facet| plan.facets.get(*facet));
+            TileStatistics {
+                first_cell: facet.map_or(0, Facet::first_cell),
+                tile: state.tile,
+                redrawn: works.iter().any(|(changed, ..)| *changed == position),
+            }
+        }));
+        Ok(())
     }
-    let first_cell = |state: &TileState| {
-        let facet = state.facets.first().and_then(|facet| held.plan.facets.get(*facet));
-        facet.map_or(0, cssm_core::facet::Facet::first_cell)
-    };
-    statistics.tiles.extend(held.tiles.iter().enumerate().map(|(position, state)| TileStatistics {
-        first_cell: first_cell(state),
-        tile: state.tile,
-        redrawn: works.iter().any(|(changed, ..)| *changed == position),
-    }));
-    report.redrawn_texels += statistics.redrawn_texels;
-    report.draws += statistics.draws;
-    report.triangles += statistics.triangles;
-    Ok(())
 }
 
 /// Uploads a light's records and instance rows.

@@ -83,7 +83,8 @@ impl LightService {
     ) -> Result<(), ServiceError> {
         self.check_frame(frame)?;
         let shadow = frame.shadow(light);
-        let Some((shadow, prepared)) = shadow.and_then(|shadow| Some((shadow, shadow.frame.as_ref()?))) else {
+        let Some((shadow, prepared)) = shadow.and_then(|shadow| Some((shadow, shadow.frame.as_ref()?)))
+        else {
             // A light without shadows is lit everywhere.
             self.light(light).ok_or(ServiceError::UnknownLight)?;
             lit(encoder, target);
@@ -158,7 +159,8 @@ impl LightService {
     fn remember(&mut self, frame: &PreparedLights) {
         for part in frame.in_use() {
             let Some(entry) = self.lights.get_mut(part.light.index as usize) else { continue };
-            let Some(served) = entry.light.as_mut().filter(|_| entry.generation == part.light.generation) else {
+            let Some(served) = entry.light.as_mut().filter(|_| entry.generation == part.light.generation)
+            else {
                 continue;
             };
             let mut shadows = served.shadows.iter_mut().filter(|shadow| shadow.view == frame.view);

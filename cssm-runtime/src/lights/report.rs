@@ -83,6 +83,14 @@ pub struct TileStatistics {
 }
 
 impl LightReport {
+    /// Counts a light's part.
+    pub(super) fn add(&mut self, light: &LightStatistics, static_texels: u64) {
+        self.redrawn_texels += light.redrawn_texels;
+        self.static_texels += static_texels;
+        self.draws += light.draws;
+        self.triangles += light.triangles;
+    }
+
     /// Starts over, keeping memory.
     pub(super) fn reset(&mut self) {
         let mut lights = std::mem::take(&mut self.lights);

@@ -79,14 +79,7 @@ pub(super) enum Fill {
 
 impl Shadow {
     pub(super) fn new(view: ViewId) -> Self {
-        Self {
-            view,
-            place: None,
-            pixels_times_side: None,
-            held: None,
-            reach: FARTHEST_REACH,
-            failure: None,
-        }
+        Self { view, place: None, pixels_times_side: None, held: None, reach: FARTHEST_REACH, failure: None }
     }
 
     /// Its square.
@@ -123,7 +116,8 @@ impl TileState {
             return None;
         }
         let keeps = self.still == Some(content.fixed);
-        let worth_keeping = !first_frame && (content.dynamic != 0 || self.shown.is_some_and(|c| c.dynamic != 0));
+        let worth_keeping =
+            !first_frame && (content.dynamic != 0 || self.shown.is_some_and(|c| c.dynamic != 0));
         let fill = if keeps || worth_keeping { Fill::Restore } else { Fill::Draw };
         Some(TileWork { draw_still: worth_keeping && !keeps, fill, content })
     }

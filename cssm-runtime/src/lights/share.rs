@@ -71,7 +71,9 @@ pub(super) fn steps_between(one: u32, other: u32) -> usize {
 fn next_side(claim: &Claim, side: u32) -> Option<u32> {
     let least = claim.min_side.min(claim.max_side).max(1);
     if side == 0 {
-        return Some(LADDER.into_iter().find(|step| *step >= least).unwrap_or(least).min(claim.max_side.max(1)));
+        return Some(
+            LADDER.into_iter().find(|step| *step >= least).unwrap_or(least).min(claim.max_side.max(1)),
+        );
     }
     if claim.is_content(side) || !claim.pixels_times_side.is_finite() {
         return None;

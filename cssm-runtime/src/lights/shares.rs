@@ -1,8 +1,8 @@
 //! Gives every light that the view sees its square of the map.
 
-use super::description::{LightDescription, LightHandle, ViewId};
-use super::share::{Claim, sides, steps_between};
+use super::description::LightDescription;
 use super::shadow::Shadow;
+use super::share::{Claim, sides, steps_between};
 use super::{LightEntry, LightService};
 
 /// Share of the map's texels that squares may take at first: guillotine cuts waste some.
@@ -53,8 +53,13 @@ impl LightService {
                 side if *wanted > 0 && steps_between(side, *wanted) <= 1 => side,
                 _ => *wanted,
             };
-            let texels: u64 =
-                scratch.sides.iter().zip(&scratch.claimants).map(kept).map(|side| u64::from(side).pow(2)).sum();
+            let texels: u64 = scratch
+                .sides
+                .iter()
+                .zip(&scratch.claimants)
+                .map(kept)
+                .map(|side| u64::from(side).pow(2))
+                .sum();
             if texels <= budget_texels {
                 for (wanted, claimant) in scratch.sides.iter_mut().zip(&scratch.claimants) {
                     *wanted = kept((wanted, claimant));
@@ -72,18 +77,6 @@ impl LightService {
             share *= SHARE_STEP;
         }
         moved
-    }
-
-    /// The shadow of a light in a view, made on first use.
-    pub(super) fn shadow_mut(&mut self, light: LightHandle, view: ViewId) -> Option<&mut Shadow> {
-        let entry = self.lights.get_mut(light.index as usize)?;
-        let served = entry.light.as_mut().filter(|_| entry.generation == light.generation)?;
-        let known = served.shadows.iter().position(|shadow| shadow.view == view);
-        let index = known.unwrap_or_else(|| {
-            served.shadows.push(Shadow::new(view));
-            served.shadows.len() - 1
-        });
-        served.shadows.get_mut(index)
     }
 }
 

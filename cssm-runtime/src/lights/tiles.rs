@@ -56,7 +56,8 @@ mod tests {
     #[test]
     fn squares_never_overlap_and_freed_ones_come_back() {
         let mut places = Places::new(1024, 1024);
-        let mut taken: Vec<Place> = [512, 256, 256, 128, 384, 64, 64].map(|side| places.take(side).unwrap()).into();
+        let mut taken: Vec<Place> =
+            [512, 256, 256, 128, 384, 64, 64].map(|side| places.take(side).unwrap()).into();
         let disjoint = |taken: &[Place]| {
             let apart = |one: MapRegion, two: MapRegion| {
                 one.x + one.width <= two.x

@@ -37,7 +37,7 @@ const STRIP_PIXELS: (u32, u32) = (480, 270);
 ///
 /// # Errors
 /// What the device says; files that cannot be written.
-pub fn write(folder: &Path, host: &Host, bench: &Bench) -> Result<(), LabError> {
+pub(super) fn write(folder: &Path, host: &Host, bench: &Bench) -> Result<(), LabError> {
     let (view, owners) = lit(host, bench)?;
     view.write_png(&folder.join("view.png"))?;
     owners.titled("which light gives each pixel most").write_png(&folder.join("owners.png"))?;
@@ -50,7 +50,7 @@ pub fn write(folder: &Path, host: &Host, bench: &Bench) -> Result<(), LabError> 
 ///
 /// # Errors
 /// What the service or the device says; files that cannot be written.
-pub fn write_strip(
+pub(super) fn write_strip(
     folder: &Path,
     gpu: &Gpu,
     town: &Town,

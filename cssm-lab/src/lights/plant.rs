@@ -7,7 +7,7 @@ use crate::error::LabError;
 use crate::scene::{Instance, Scene};
 
 /// Local lights in a scene.
-pub const LOCAL_LIGHTS: usize = 99;
+pub(super) const LOCAL_LIGHTS: usize = 99;
 /// Every so many lamps one is a spot light: 20 of 99.
 const SPOT_STEP: usize = 5;
 /// Name of the meshes that carry lamps.

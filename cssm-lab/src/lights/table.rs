@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::LightsReport;
 
 /// Tables for people.
-pub fn markdown(report: &LightsReport) -> String {
+pub(super) fn markdown(report: &LightsReport) -> String {
     let mut text = String::new();
     // Writing to a string cannot fail.
     let mut line = |arguments: std::fmt::Arguments<'_>| {

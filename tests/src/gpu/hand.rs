@@ -87,6 +87,14 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
         depth_order: DepthOrder::Standard,
         light: DVec4::Y,
         map_size_texels: (MAP_SIDE, MAP_SIDE),
+        region: MapRegion { x: 0, y: 0, width: MAP_SIDE, height: MAP_SIDE },
+        basis: PlanBasis {
+            light: Light::Directional { toward_light_world: DVec3::Y },
+            follows_camera: false,
+            receivers: Vec::new(),
+            lit: Vec::new(),
+            p95_pixels: 1.0,
+        },
         selection: Selection::single(),
         facets: vec![facet_from_above(tile, half, top, bottom)],
     }

@@ -57,7 +57,7 @@ impl CentredBox {
     }
 
     /// A box of world space with the eye at the origin.
-    pub(crate) fn from_eye(&self, eye_world: DVec3) -> Self {
+    pub(crate) fn seen_from(&self, eye_world: DVec3) -> Self {
         Self { centre: self.centre - eye_world, half: self.half }
     }
 

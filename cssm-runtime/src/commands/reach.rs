@@ -45,7 +45,7 @@ impl FacetReach {
         }
         for block in scene.blocks(group) {
             // Most are refused: begin with the half-space that refused last.
-            let bounds = block.bounds.from_eye(self.eye_world);
+            let bounds = block.bounds.seen_from(self.eye_world);
             if let Some(refusing) = self.planes.iter().position(|plane| plane.is_outside(&bounds)) {
                 self.planes[..=refusing].rotate_right(1);
                 continue;
@@ -62,14 +62,14 @@ impl FacetReach {
 
     /// Whether nothing of a group can reach the facet.
     fn refuses(&self, group: &Group) -> bool {
-        let bounds = group.bounds.from_eye(self.eye_world);
+        let bounds = group.bounds.seen_from(self.eye_world);
         self.planes.iter().any(|plane| plane.is_outside(&bounds))
     }
 
     /// Tests an instance against the half-spaces that cut through its block, first with its box in world axes, which
     /// decides most of them, then with the box of its own space, which is tighter where it is turned.
     fn is_reached(&mut self, scene: &CasterScene, group: &Group, caster: &SortedCaster) -> bool {
-        let bounds = caster.bounds.from_eye(self.eye_world);
+        let bounds = caster.bounds.seen_from(self.eye_world);
         if self.near.iter().any(|plane| plane.is_outside(&bounds)) {
             return false;
         }

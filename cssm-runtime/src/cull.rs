@@ -96,6 +96,11 @@ impl HalfSpace {
         Self { normal, absolute_normal: normal.abs(), offset }
     }
 
+    /// Its normal and offset in other axes, to which `normals` turns normals.
+    pub(crate) fn turned(&self, normals: &DMat3) -> DVec4 {
+        (*normals * self.normal).extend(self.offset)
+    }
+
     pub(crate) fn is_outside(&self, bounds: &CentredBox) -> bool {
         self.normal.dot(bounds.centre) + self.offset + self.absolute_normal.dot(bounds.half) < 0.0
     }

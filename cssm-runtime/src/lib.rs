@@ -82,6 +82,7 @@ mod casters;
 mod clusters;
 mod commands;
 mod cull;
+mod culling;
 mod depth_order;
 mod error;
 mod frame;
@@ -106,6 +107,7 @@ pub use commands::{
 };
 pub use cssm_core;
 pub use cull::InstanceRows;
+pub use culling::{Culling, CullingWork, culling_requirements};
 pub use error::ServiceError;
 pub use frame::PreparedFrame;
 pub use lights::{LightService, PreparedLights};

@@ -64,6 +64,9 @@ struct Leaving {
     work: CullingWork,
 }
 
+/// Commands, and what the device culls of them.
+type Left = (FrameCommands, FrameStatistics, Option<Arc<CulledFrame>>);
+
 #[derive(Debug, Default)]
 struct MeshEntry {
     generation: u32,
@@ -188,10 +191,12 @@ impl ShadowService {
         instances: &[CasterInstance],
     ) -> Result<PreparedFrame, ServiceError> {
         check_plan(&self.table, plan, view)?;
-        let left = self.leave(plan, instances)?;
-        let ((commands, statistics), culled) = match left {
-            Some((commands, statistics, culled)) => ((commands, statistics), Some(culled)),
-            None => (self.commands(plan, instances)?, None),
+        let (commands, statistics, culled) = match self.leave(plan, instances)? {
+            Some(left) => left,
+            None => {
+                let (commands, statistics) = self.commands(plan, instances)?;
+                (commands, statistics, None)
+            }
         };
         let Gpu { device, queue, atlas, layouts, slots, identity, .. } = &mut self.gpu;
         let rows = commands.rows.len();
@@ -345,12 +350,12 @@ impl ShadowService {
         Ok(())
     }
 
-    /// Commands that leave casters to the device, and what it culls; `None` where it cannot.
+    /// Commands that leave casters to the device, and what it culls of them; `None` where it cannot.
     fn leave(
         &mut self,
         plan: &ShadowPlan,
         instances: &[CasterInstance],
-    ) -> Result<Option<(FrameCommands, FrameStatistics, Arc<CulledFrame>)>, ServiceError> {
+    ) -> Result<Option<Left>, ServiceError> {
         let Some(culling) = &mut self.gpu.culling else { return Ok(None) };
         let Leaving { casters, scratch, work } = &mut self.leaving;
         let facts = |mesh| known(&self.meshes, mesh).map(Mesh::facts);
@@ -359,8 +364,11 @@ impl ShadowService {
         work.clear();
         let facets = 0..plan.facets.len();
         commands.append_culled(plan, facets, casters, facts, scratch, &mut statistics, work)?;
+        if work.is_empty() {
+            return Ok(Some((commands, statistics, None)));
+        }
         let culled = culling.upload(&self.gpu.device, &self.gpu.queue, work)?;
-        Ok(culled.map(|culled| (commands, statistics, culled)))
+        Ok(culled.map(|culled| (commands, statistics, Some(culled))))
     }
 
     /// Binds the buffers of a mesh whose vertices the shaders fetch by themselves.

@@ -64,9 +64,9 @@ fn corners(bounds: &BoundingBox, eye_from_object: &DAffine3) -> [DVec3; 8] {
     })
 }
 
-/// Triangles that touch a facet, and boundaries of the facet that cut through the box of an instance of which any does.
+/// Triangles that touch a facet, and boundaries of the facet that cut through the box of any instance of which one does.
 fn needed(scene: &Scene, facet: &Facet, eye_world: DVec3) -> (u64, u64) {
-    let (mut triangles, mut boundaries) = (0, 0);
+    let (mut triangles, mut boundaries) = (0, vec![false; facet.casters.len()]);
     for instance in &scene.instances {
         let mut eye_from_object = instance.world_from_object;
         eye_from_object.translation -= eye_world;
@@ -92,9 +92,11 @@ fn needed(scene: &Scene, facet: &Facet, eye_world: DVec3) -> (u64, u64) {
         });
         let touching = touching.count() as u64;
         triangles += touching;
-        boundaries += if touching > 0 { cutting.len() as u64 } else { 0 };
+        if touching > 0 {
+            boundaries.iter_mut().zip(&counts).for_each(|(cuts, count)| *cuts |= *count < 8);
+        }
     }
-    (triangles, boundaries)
+    (triangles, boundaries.iter().filter(|cuts| **cuts).count() as u64)
 }
 
 #[test]

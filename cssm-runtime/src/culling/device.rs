@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::clusters::ClusterRecord;
-use super::work::CullingWork;
+use super::work::{CullingWork, ONE};
 use super::{LANES, STORAGE_BUFFERS, suffices};
 use crate::casters::BLOCK_CASTERS;
 use crate::error::ServiceError;
@@ -299,12 +299,16 @@ impl CulledFrame {
         grow(device, &mut self.cuts, work.cut_bytes(), limit);
     }
 
-    /// Draws rows that culling has found; arguments begin at a word.
+    /// Draws rows that culling has found; arguments begin at a word. Counted like clusters where that can be: lavapipe
+    /// takes the count of the last counted draw for later ones that are not.
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass, arguments: u32, indexed: bool) {
-        let offset = 4 * u64::from(arguments);
-        match indexed {
-            true => pass.draw_indexed_indirect(&self.arguments, offset),
-            false => pass.draw_indirect(&self.arguments, offset),
+        let (draws, offset) = (&self.arguments, 4 * u64::from(arguments));
+        let at = 4 * u64::from(ONE);
+        match (indexed, self.counts) {
+            (true, true) => pass.multi_draw_indexed_indirect_count(draws, offset, draws, at, 1),
+            (false, true) => pass.multi_draw_indirect_count(draws, offset, draws, at, 1),
+            (true, false) => pass.draw_indexed_indirect(draws, offset),
+            (false, false) => pass.draw_indirect(draws, offset),
         }
     }
 

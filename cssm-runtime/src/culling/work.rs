@@ -10,8 +10,10 @@ use crate::cull::{HalfSpace, InstanceRows, capture_from_object, eye_from_object}
 use crate::error::ServiceError;
 use crate::mesh::{CasterInstance, MeshHandle};
 
-/// Words before the arguments of the first draw: the number of cut instances, the number of blocks.
-const HEAD_WORDS: u32 = 2;
+/// Words before the arguments of the first draw: the number of cut instances, the number of blocks, and one.
+const HEAD_WORDS: u32 = 3;
+/// Word that holds one.
+pub(super) const ONE: u32 = 2;
 /// Words of a draw's arguments and counters.
 const DRAW_WORDS: u32 = 7;
 /// Bytes of a cut instance.
@@ -167,7 +169,7 @@ impl CullingWork {
 
     /// Words that arguments begin with.
     pub(super) fn head(&self) -> [u32; HEAD_WORDS as usize] {
-        [0, self.blocks.len() as u32]
+        [0, self.blocks.len() as u32, 1]
     }
 
     /// Number of blocks so far.

@@ -18,7 +18,7 @@ struct Block {
 @group(0) @binding(3) var<storage, read> draws: array<Draw>;
 // Three for each instance that is drawn.
 @group(0) @binding(4) var<storage, read_write> rows: array<vec4<f32>>;
-// The number of cut instances, the number of blocks, then arguments and counters of draws.
+// The number of cut instances, the number of blocks, one, then arguments and counters of draws.
 @group(0) @binding(5) var<storage, read_write> arguments: array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> cuts: array<Cut>;
 

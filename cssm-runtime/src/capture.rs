@@ -11,6 +11,7 @@ use cssm_core::plan::DepthOrder;
 
 use crate::commands::{Command, FrameCommands};
 use crate::cull::InstanceRows;
+use crate::culling::CulledFrame;
 use crate::frame::{PreparedFrame, Slot};
 use crate::mesh::{Mesh, MeshHandle};
 
@@ -28,6 +29,15 @@ pub(crate) struct Records<'a> {
     /// Distance between the records of facets in bytes.
     pub(crate) facet_stride: u64,
     pub(crate) order: DepthOrder,
+    /// What culling on the device has filled, for commands that leave draws to it.
+    pub(crate) culled: Option<&'a CulledFrame>,
+}
+
+/// Whose rows are bound.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum BoundRows {
+    Written,
+    Culled,
 }
 
 impl CapturePipelines {
@@ -55,7 +65,12 @@ impl CapturePipelines {
             timestamp_writes: timestamps,
             ..Default::default()
         });
-        let records = Records { slot: &frame.slot, facet_stride, order: frame.depth_order };
+        let records = Records {
+            slot: &frame.slot,
+            facet_stride,
+            order: frame.depth_order,
+            culled: frame.culled.as_deref(),
+        };
         self.record(&mut pass, &frame.commands, records, 0, meshes);
     }
 
@@ -71,9 +86,18 @@ impl CapturePipelines {
         if commands.commands.is_empty() {
             return;
         }
-        let Records { slot, facet_stride, order } = records;
+        let Records { slot, facet_stride, order, culled } = records;
         let first_byte = first_row as u64 * InstanceRows::BYTES;
-        pass.set_vertex_buffer(INSTANCE_SLOT, slot.instances.slice(first_byte..));
+        let mut bound = None;
+        let mut bind_rows = |pass: &mut wgpu::RenderPass, wanted: BoundRows| {
+            if bound.replace(wanted) != Some(wanted) {
+                let rows = match (wanted, culled) {
+                    (BoundRows::Culled, Some(culled)) => culled.rows.slice(..),
+                    _ => slot.instances.slice(first_byte..),
+                };
+                pass.set_vertex_buffer(INSTANCE_SLOT, rows);
+            }
+        };
         for command in &commands.commands {
             match command {
                 Command::Facet { facet, tile } => {
@@ -95,10 +119,24 @@ impl CapturePipelines {
                     }
                 }
                 Command::Draw { first, count, indexed: true, instances } => {
+                    bind_rows(pass, BoundRows::Written);
                     pass.draw_indexed(*first..first + count, 0, instances.clone());
                 }
                 Command::Draw { first, count, indexed: false, instances } => {
+                    bind_rows(pass, BoundRows::Written);
                     pass.draw(*first..first + count, instances.clone());
+                }
+                Command::DrawCulled { arguments, indexed } => {
+                    if let Some(culled) = culled {
+                        bind_rows(pass, BoundRows::Culled);
+                        culled.draw(pass, *arguments, *indexed);
+                    }
+                }
+                Command::DrawCulledClusters { arguments, count, most, indexed } => {
+                    if let Some(culled) = culled {
+                        bind_rows(pass, BoundRows::Culled);
+                        culled.draw_clusters(pass, *arguments, *count, *most, *indexed);
+                    }
                 }
             }
         }

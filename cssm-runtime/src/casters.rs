@@ -13,7 +13,7 @@ use crate::error::ServiceError;
 use crate::mesh::{CasterInstance, MeshHandle};
 
 /// Most casters of a block.
-const BLOCK_CASTERS: usize = 16;
+pub(crate) const BLOCK_CASTERS: usize = 16;
 /// Steps along each axis into which places are told apart.
 const PLACE_STEPS: f64 = 1024.0;
 /// By how much the boxes of blocks may grow while casters move before neighbours are looked for anew.
@@ -153,6 +153,10 @@ impl CasterScene {
 
     pub(crate) fn groups(&self) -> &[Group] {
         &self.groups
+    }
+
+    pub(crate) fn block_count(&self) -> usize {
+        self.blocks.len()
     }
 
     pub(crate) fn blocks(&self, group: &Group) -> &[Block] {

@@ -19,9 +19,10 @@ use cssm_core::{BoundingBox, ShadowPlan};
 use crate::casters::CasterScene;
 use crate::clusters::Cluster;
 use crate::cull::InstanceRows;
+use crate::culling::CullingWork;
 use crate::error::ServiceError;
 use crate::mesh::{CasterInstance, MeshHandle};
-use facet_draws::{FacetDraws, Gathered, widen};
+use facet_draws::{FacetDraws, Gathered};
 use reach::FacetReach;
 
 /// A capture pipeline of the service.
@@ -56,6 +57,25 @@ pub enum Command {
         indexed: bool,
         /// Instance rows.
         instances: Range<u32>,
+    },
+    /// Draws the bound mesh once for each row that culling on the device has found; its arguments follow a word of the
+    /// frame's arguments, and its rows are those of culling.
+    DrawCulled {
+        /// First word of its arguments.
+        arguments: u32,
+        /// Whether the mesh is drawn by indices.
+        indexed: bool,
+    },
+    /// Draws the clusters of the bound mesh that culling on the device has found.
+    DrawCulledClusters {
+        /// First word of the first draw's arguments, among the arguments of clusters.
+        arguments: u32,
+        /// Word of the number of draws, among the frame's arguments.
+        count: u32,
+        /// Their largest number; the arguments of those that are not there are zero.
+        most: u32,
+        /// Whether the mesh is drawn by indices.
+        indexed: bool,
     },
 }
 
@@ -198,24 +218,29 @@ impl FrameCommands {
         scratch: &mut CommandScratch,
         statistics: &mut FrameStatistics,
     ) -> Result<(), ServiceError> {
-        let room = (self.commands.capacity(), self.rows.capacity(), scratch.gathered.room());
-        statistics.casters += casters.instances().len() as u32;
-        let mut draws = FacetDraws::new(plan, casters, self, scratch);
-        for position in facets {
-            let Some(facet) = plan.facets.get(position) else { continue };
-            let counts = draws.add(FacetHandle(position as u32), facet, &facts)?;
-            statistics.draws += counts.draws;
-            statistics.instances += counts.instances;
-            statistics.triangles += counts.triangles;
-            statistics.facets.push(counts);
-        }
+        let mut draws = FacetDraws::new(plan, casters, self, scratch, None);
+        draws.add_all(facets, facts, statistics)
+    }
 
-        // Leave room for frames that draw up to twice as much.
-        let (commands, rows) = (self.commands.len(), self.rows.len());
-        widen(&mut self.commands, room.0, commands);
-        widen(&mut self.rows, room.1, rows);
-        scratch.gathered.widen(room.2);
-        Ok(())
+    /// Appends commands as [`FrameCommands::append`] does, but leaves casters to the device to be culled, except those that
+    /// shaders fetch by themselves. Statistics count candidates then, draws and triangles as if all of them were drawn
+    /// whole, and [`FacetStatistics::content`] is that of the candidates.
+    ///
+    /// # Errors
+    /// As [`FrameCommands::append`]; clear the work after one.
+    #[expect(clippy::too_many_arguments, reason = "three inputs, and four lists that keep their memory")]
+    pub fn append_culled<'m>(
+        &mut self,
+        plan: &ShadowPlan,
+        facets: impl IntoIterator<Item = usize>,
+        casters: &CasterScene,
+        facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
+        scratch: &mut CommandScratch,
+        statistics: &mut FrameStatistics,
+        work: &mut CullingWork,
+    ) -> Result<(), ServiceError> {
+        let mut draws = FacetDraws::new(plan, casters, self, scratch, Some(work));
+        draws.add_all(facets, facts, statistics)
     }
 
     /// What one facet of a plan draws, as a number that does not depend on the order of casters: as long as neither it nor

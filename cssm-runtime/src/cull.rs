@@ -57,7 +57,7 @@ impl CentredBox {
     }
 
     /// A box of world space with the eye at the origin.
-    pub(crate) fn from_eye(&self, eye_world: DVec3) -> Self {
+    pub(crate) fn seen_from(&self, eye_world: DVec3) -> Self {
         Self { centre: self.centre - eye_world, half: self.half }
     }
 
@@ -94,6 +94,11 @@ impl HalfSpace {
         let normal = eye_from_object.matrix3.transpose() * self.normal;
         let offset = self.normal.dot(eye_from_object.translation) + self.offset;
         Self { normal, absolute_normal: normal.abs(), offset }
+    }
+
+    /// Its normal and offset in other axes, to which `normals` turns normals.
+    pub(crate) fn turned(&self, normals: &DMat3) -> DVec4 {
+        (*normals * self.normal).extend(self.offset)
     }
 
     pub(crate) fn is_outside(&self, bounds: &CentredBox) -> bool {

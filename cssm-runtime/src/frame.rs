@@ -13,6 +13,7 @@ use cssm_core::table::{BindingKind, CaseTable, GroupContent, RecordKind, ShaderK
 use crate::atlas::Atlas;
 use crate::commands::{FrameCommands, FrameStatistics};
 use crate::cull::InstanceRows;
+use crate::culling::{CulledFrame, Culling};
 use crate::depth_order::ByOrder;
 use crate::error::ServiceError;
 use crate::layout::{bind_group, record_bytes, required_group, shadow_group};
@@ -28,9 +29,17 @@ pub struct PreparedFrame {
     pub(crate) depth_order: DepthOrder,
     pub(crate) commands: FrameCommands,
     pub(crate) statistics: FrameStatistics,
+    /// What the device culls for the frame.
+    pub(crate) culled: Option<Arc<CulledFrame>>,
 }
 
 impl PreparedFrame {
+    /// Where the frame's casters are culled. On the device, statistics count candidates;
+    /// [`ShadowService::read_commands`](crate::ShadowService::read_commands) tells what it has drawn.
+    pub fn culling(&self) -> Culling {
+        if self.culled.is_some() { Culling::Gpu } else { Culling::Cpu }
+    }
+
     /// Draws and triangles, in total and per facet.
     pub fn statistics(&self) -> &FrameStatistics {
         &self.statistics

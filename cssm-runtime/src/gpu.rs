@@ -6,6 +6,7 @@ use cssm_core::table::{CaseTable, GroupContent, ShaderKind};
 
 use crate::atlas::Atlas;
 use crate::capture::{CapturePipelines, fetches_by_itself};
+use crate::culling::{Culling, GpuCulling};
 use crate::error::ServiceError;
 use crate::frame::{SlotLayouts, SlotPool, UniformLayout};
 use crate::health::HealthProbe;
@@ -25,6 +26,8 @@ pub(crate) struct Gpu {
     pub(crate) capture: CapturePipelines,
     pub(crate) mask: Option<MaskPipeline>,
     pub(crate) slots: SlotPool,
+    /// Where the options ask for it and the device can.
+    pub(crate) culling: Option<GpuCulling>,
     pub(crate) probe: HealthProbe,
     /// Tells frames of this device and service from all others.
     pub(crate) identity: Arc<()>,
@@ -70,6 +73,10 @@ impl Gpu {
             capture,
             mask,
             slots: SlotPool::default(),
+            culling: match options.culling {
+                Culling::Cpu => None,
+                Culling::Gpu => GpuCulling::new(device)?,
+            },
             probe,
             identity: Arc::new(()),
         };

@@ -51,6 +51,9 @@
 //! * **Casters stay where they are.** Meshes are ranges of the engine's buffers in the engine's vertex format, alpha
 //!   masks are the engine's own textures. The eye is subtracted from every transform and the axes are turned to the
 //!   camera's in f64, so nothing is lost far from the world's origin or in a narrow field of view.
+//! * **Culling runs where the engine wants it.** [`Options::culling`] leaves instances and clusters to compute passes, which
+//!   compact rows and write indirect draws ([`Culling::Gpu`]); the CPU does the same where a device cannot. Its lists are
+//!   built from a [`CasterScene`] that all plans share, without allocating.
 //! * **Bent rows are exact where a case asks for it.** Triangles whose straight edges would miss the bent ones by more than
 //!   the declared bound are decided texel by texel; the others are rasterised as ever. Which is which takes all three
 //!   corners, so shaders fetch vertices from the engine's buffers ([`wgpu::BufferUsages::STORAGE`]), and what a box proves
@@ -82,6 +85,7 @@ mod casters;
 mod clusters;
 mod commands;
 mod cull;
+mod culling;
 mod depth_order;
 mod error;
 mod frame;
@@ -106,6 +110,7 @@ pub use commands::{
 };
 pub use cssm_core;
 pub use cull::InstanceRows;
+pub use culling::{Culling, CullingWork, culling_requirements};
 pub use error::ServiceError;
 pub use frame::PreparedFrame;
 pub use lights::{LightService, PreparedLights};

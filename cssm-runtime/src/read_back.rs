@@ -1,4 +1,4 @@
-//! Textures back to the CPU, for tests, tools and screenshots. Everything here blocks until the GPU is done.
+//! Textures and buffers back to the CPU, for tests, tools and screenshots. Everything here blocks until the GPU is done.
 
 use crate::error::ServiceError;
 use crate::scope::checked;
@@ -58,6 +58,30 @@ pub fn texture_bytes(
     let bytes = mapped_bytes(device, &buffer)?;
     let rows = bytes.chunks_exact(padded as usize).flat_map(|row| &row[..packed as usize]);
     Ok(rows.copied().collect())
+}
+
+/// The bytes of a buffer with `COPY_SRC` usage, after all submitted work.
+///
+/// # Errors
+/// As [`texture_bytes`].
+pub fn buffer_bytes(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    source: &wgpu::Buffer,
+) -> Result<Vec<u8>, ServiceError> {
+    let copy = checked(device, "a copy of a buffer", || {
+        let copy = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("cssm read-back"),
+            size: source.size(),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_buffer_to_buffer(source, 0, &copy, 0, source.size());
+        queue.submit([encoder.finish()]);
+        copy
+    })?;
+    mapped_bytes(device, &copy)
 }
 
 /// The bytes of a buffer with `MAP_READ` usage, after all submitted work.

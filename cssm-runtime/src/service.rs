@@ -7,7 +7,9 @@ use cssm_core::{ShadowPlan, View};
 
 use crate::alpha_mask::BoundMask;
 use crate::capture::{Attribute, Fetched, Stretched, StretchedMesh, VertexKey};
-use crate::commands::{FrameCommands, FrameStatistics};
+use crate::casters::CasterScene;
+use crate::commands::{CommandScratch, FrameCommands, FrameStatistics};
+use crate::culling::{self, CulledFrame, Culling, CullingWork};
 use crate::error::ServiceError;
 use crate::frame::PreparedFrame;
 use crate::gpu::Gpu;
@@ -28,6 +30,8 @@ pub struct Options {
     /// distances. Both ways draw equal maps; this one exists for devices without
     /// [`wgpu::Features::DEPTH_CLIP_CONTROL`] or [`wgpu::Features::CLIP_DISTANCES`] and can be forced for comparisons.
     pub clamp_in_fragments: bool,
+    /// Where casters are culled.
+    pub culling: Culling,
 }
 
 impl Default for Options {
@@ -36,6 +40,7 @@ impl Default for Options {
             mask_format: wgpu::TextureFormat::R8Unorm,
             material_stages: wgpu::ShaderStages::FRAGMENT,
             clamp_in_fragments: false,
+            culling: Culling::Cpu,
         }
     }
 }
@@ -47,7 +52,20 @@ pub struct ShadowService {
     options: Options,
     gpu: Gpu,
     meshes: Vec<MeshEntry>,
+    /// What the device is to cull.
+    leaving: Leaving,
 }
+
+/// Lists for culling on the device that keep their memory.
+#[derive(Debug, Default)]
+struct Leaving {
+    casters: CasterScene,
+    scratch: CommandScratch,
+    work: CullingWork,
+}
+
+/// Commands, and what the device culls of them.
+type Left = (FrameCommands, FrameStatistics, Option<Arc<CulledFrame>>);
 
 #[derive(Debug, Default)]
 struct MeshEntry {
@@ -67,7 +85,13 @@ impl ShadowService {
         options: &Options,
     ) -> Result<Self, ServiceError> {
         let gpu = Gpu::new(device, queue, table, options, None)?;
-        Ok(Self { table: table.clone(), options: *options, gpu, meshes: Vec::new() })
+        Ok(Self {
+            table: table.clone(),
+            options: *options,
+            gpu,
+            meshes: Vec::new(),
+            leaving: Leaving::default(),
+        })
     }
 
     /// The same, with the map in a texture that other tables share.
@@ -167,7 +191,13 @@ impl ShadowService {
         instances: &[CasterInstance],
     ) -> Result<PreparedFrame, ServiceError> {
         check_plan(&self.table, plan, view)?;
-        let (commands, statistics) = self.commands(plan, instances)?;
+        let (commands, statistics, culled) = match self.leave(plan, instances)? {
+            Some(left) => left,
+            None => {
+                let (commands, statistics) = self.commands(plan, instances)?;
+                (commands, statistics, None)
+            }
+        };
         let Gpu { device, queue, atlas, layouts, slots, identity, .. } = &mut self.gpu;
         let rows = commands.rows.len();
         let slot = slots.acquire(device, &self.table, layouts, atlas, rows).and_then(|slot| {
@@ -179,7 +209,28 @@ impl ShadowService {
         });
         let service = Arc::clone(identity);
         let slot = self.gpu.alive(slot)?;
-        Ok(PreparedFrame { service, slot, depth_order: plan.depth_order, commands, statistics })
+        Ok(PreparedFrame { service, slot, depth_order: plan.depth_order, commands, statistics, culled })
+    }
+
+    /// Where casters are culled: [`Culling::Gpu`] only if the options ask for it and the device can.
+    pub fn culling(&self) -> Culling {
+        if self.gpu.culling.is_some() { Culling::Gpu } else { Culling::Cpu }
+    }
+
+    /// What a frame draws, as a plain list; of a frame that is culled on the device, what culling has left when it was
+    /// captured last. Blocks; see [`read_back::buffer_bytes`].
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn read_commands(&self, frame: &PreparedFrame) -> Result<FrameCommands, ServiceError> {
+        self.check_frame(frame)?;
+        match &frame.culled {
+            None => Ok(frame.commands.clone()),
+            Some(culled) => {
+                let Gpu { device, queue, .. } = &self.gpu;
+                self.gpu.alive(culling::drawn(device, queue, culled, &frame.commands))
+            }
+        }
     }
 
     /// What [`ShadowService::prepare`] would draw, without uploading anything: culling alone, on the CPU.
@@ -211,7 +262,10 @@ impl ShadowService {
         if frame.commands.meshes().any(|mesh| self.mesh(mesh).is_none()) {
             return Err(ServiceError::StaleFrame { why: "it draws a mesh that was removed" });
         }
-        let Gpu { capture, atlas, layouts, .. } = &self.gpu;
+        let Gpu { capture, atlas, layouts, culling, .. } = &self.gpu;
+        if let (Some(culling), Some(culled)) = (culling, &frame.culled) {
+            culling.record(encoder, culled);
+        }
         let stride = layouts.uniforms.facet_stride;
         let mesh = |mesh| self.mesh(mesh);
         capture.replay(encoder, &atlas.view, frame, stride, mesh, timestamps);
@@ -296,6 +350,27 @@ impl ShadowService {
         Ok(())
     }
 
+    /// Commands that leave casters to the device, and what it culls of them; `None` where it cannot.
+    fn leave(
+        &mut self,
+        plan: &ShadowPlan,
+        instances: &[CasterInstance],
+    ) -> Result<Option<Left>, ServiceError> {
+        let Some(culling) = &mut self.gpu.culling else { return Ok(None) };
+        let Leaving { casters, scratch, work } = &mut self.leaving;
+        let facts = |mesh| known(&self.meshes, mesh).map(Mesh::facts);
+        casters.update(instances, facts)?;
+        let (mut commands, mut statistics) = (FrameCommands::default(), FrameStatistics::default());
+        work.clear();
+        let facets = 0..plan.facets.len();
+        commands.append_culled(plan, facets, casters, facts, scratch, &mut statistics, work)?;
+        if work.is_empty() {
+            return Ok(Some((commands, statistics, None)));
+        }
+        let culled = culling.upload(&self.gpu.device, &self.gpu.queue, work)?;
+        Ok(culled.map(|culled| (commands, statistics, Some(culled))))
+    }
+
     /// Binds the buffers of a mesh whose vertices the shaders fetch by themselves.
     fn fetched(
         &self,
@@ -335,8 +410,7 @@ impl ShadowService {
     }
 
     pub(crate) fn mesh(&self, handle: MeshHandle) -> Option<&Mesh> {
-        let entry = self.meshes.get(handle.index as usize)?;
-        entry.mesh.as_ref().filter(|_| entry.generation == handle.generation)
+        known(&self.meshes, handle)
     }
 
     fn check_frame(&self, frame: &PreparedFrame) -> Result<(), ServiceError> {
@@ -347,8 +421,13 @@ impl ShadowService {
     }
 }
 
+fn known(meshes: &[MeshEntry], handle: MeshHandle) -> Option<&Mesh> {
+    let entry = meshes.get(handle.index as usize)?;
+    entry.mesh.as_ref().filter(|_| entry.generation == handle.generation)
+}
+
 /// Holds a frame's slot until the encoder's work is done, or the encoder is dropped.
 fn keep_until_done(encoder: &wgpu::CommandEncoder, frame: &PreparedFrame) {
-    let slot = Arc::clone(&frame.slot);
-    encoder.on_submitted_work_done(move || drop(slot));
+    let held = (Arc::clone(&frame.slot), frame.culled.clone());
+    encoder.on_submitted_work_done(move || drop(held));
 }

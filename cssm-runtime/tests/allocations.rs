@@ -1,27 +1,37 @@
 //! Casters that move, a camera that moves, and no memory taken once the lists have had their room.
 
 use allocation_counter::measure;
+use cssm_core::case::Stretch;
 use cssm_core::glam::{DAffine3, DMat3, DVec3};
+use cssm_core::schema::Word;
 use cssm_core::{BoundingBox, Light, LightCase, SceneBounds, ShadowPlan, View, plan};
 use cssm_runtime::{
-    CasterInstance, CasterScene, Cluster, CommandScratch, Drawing, FrameCommands, FrameStatistics, MeshFacts,
-    MeshHandle, PipelineHandle,
+    CasterInstance, CasterScene, Cluster, Command, CommandScratch, Drawing, FrameCommands, FrameStatistics,
+    MeshFacts, MeshHandle, PipelineHandle,
 };
 
 const FRAMES: usize = 24;
 /// Frames in which lists find their room.
 const WARM: usize = 2;
+const FANS: PipelineHandle = PipelineHandle(2);
+
+/// Bands of straight rows, and bent rows.
+fn cases() -> [LightCase; 2] {
+    let bands = LightCase::builder("Sun").map_size_texels(1024, 1024).bands(4, 200.0);
+    let bent = LightCase::builder("SunLog").map_size_texels(1024, 1024);
+    let bent = bent.configurations(&["face_columns"]).distribution(Word::plain("logarithmic"));
+    [bands, bent.stretch(Stretch::Exact { bound_texels: 0.25 })].map(|case| case.build().unwrap())
+}
 
 /// Plans of a camera that walks through the casters.
-fn plans() -> Vec<ShadowPlan> {
-    let case = LightCase::builder("Sun").map_size_texels(1024, 1024).bands(4, 200.0).build().unwrap();
+fn plans(case: &LightCase) -> Vec<ShadowPlan> {
     let light = Light::directional_travelling(DVec3::new(0.4, -1.0, 0.3)).unwrap();
     let step = |frame: usize| {
         let eye = DVec3::new(1e5 + 1.5 * frame as f64, 2.0, 4.0);
         let target = eye + DVec3::new(8.0, -1.0, 0.1 * frame as f64);
         let view = View::perspective(eye, target, DVec3::Y, 1.0, 0.1, 1e3, (1280, 720)).unwrap();
         let bounds = BoundingBox { min: eye - 150.0, max: eye + 150.0 };
-        plan(&case, &view, &light, &SceneBounds::of(Some(bounds))).unwrap()
+        plan(case, &view, &light, &SceneBounds::of(Some(bounds))).unwrap()
     };
     (0..FRAMES).map(step).collect()
 }
@@ -57,11 +67,11 @@ fn clusters() -> Vec<Cluster> {
 
 fn facts(mesh: MeshHandle, clusters: &[Cluster]) -> Option<MeshFacts<'_>> {
     let in_parts = mesh != MeshHandle::new(0, 0);
-    let fans = Drawing::Both { fans: PipelineHandle(2), bound_texels: 0.25 };
+    let fans = Drawing::Both { fans: FANS, bound_texels: 0.25 };
     Some(MeshFacts {
         pipeline: PipelineHandle(u32::from(in_parts)),
         corners: 12_000,
-        indexed: true,
+        indexed: mesh != MeshHandle::new(2, 0),
         bounds_object: BoundingBox { min: DVec3::new(-4.0, -0.5, -0.5), max: DVec3::new(4.0, 0.5, 0.5) },
         clusters: if in_parts { clusters } else { &[] },
         drawing: if mesh == MeshHandle::new(2, 0) { fans } else { Drawing::Plain },
@@ -70,7 +80,14 @@ fn facts(mesh: MeshHandle, clusters: &[Cluster]) -> Option<MeshFacts<'_>> {
 
 #[test]
 fn lists_are_rebuilt_without_allocating() {
-    let (plans, clusters) = (plans(), clusters());
+    let [straight, bent] = cases().map(|case| walk(&plans(&case)));
+    assert_eq!(straight, 0, "straight rows need no fans");
+    assert!(bent > 100, "only {bent} draws of fans");
+}
+
+/// Rebuilds the list of every plan, asserts that from the third on nothing is allocated, and counts draws of fans.
+fn walk(plans: &[ShadowPlan]) -> usize {
+    let (clusters, mut fans) = (clusters(), 0);
     let facts = |mesh| facts(mesh, &clusters);
     let mut instances = Vec::with_capacity(3000);
     let mut scene = CasterScene::new();
@@ -99,17 +116,21 @@ fn lists_are_rebuilt_without_allocating() {
 
         // What is rebuilt is what would be built from nothing.
         let (_, fresh) = FrameCommands::build(plan, &instances, facts).unwrap();
-        assert_eq!(statistics, fresh);
+        let counts = |of: &FrameStatistics| (of.casters, of.instances, of.triangles);
+        assert_eq!(counts(&statistics), counts(&fresh));
+        fans += frame.commands.iter().filter(|command| **command == Command::Pipeline(FANS)).count();
         assert!(statistics.instances > 100);
     }
     assert!(cold > 0, "the counter counts");
     assert_eq!(u64::from(draws), parts);
     assert!(draws as usize > 20 * FRAMES, "{draws} draws are no test");
+    fans
 }
 
 #[test]
 fn building_from_nothing_allocates() {
-    let (plans, clusters) = (plans(), clusters());
+    let [case, _] = cases();
+    let (plans, clusters) = (plans(&case), clusters());
     let mut instances = Vec::new();
     casters(0, &mut instances);
     let build = || FrameCommands::build(&plans[0], &instances, |mesh| facts(mesh, &clusters)).unwrap();

@@ -9,12 +9,13 @@ use cssm_core::glam::{DAffine3, DMat3, DVec3};
 use super::bending::Bending;
 use super::ranges::{Parts, merge};
 use super::{
-    Command, CommandScratch, Drawing, FAN_TRIANGLES, FacetHandle, FacetStatistics, FrameCommands, MeshFacts,
-    PipelineHandle,
+    Command, CommandScratch, Drawing, FAN_TRIANGLES, FacetHandle, FacetStatistics, FrameCommands,
+    FrameStatistics, MeshFacts, PipelineHandle,
 };
 use crate::casters::{CasterScene, Group};
 use crate::clusters::Cluster;
 use crate::cull::{CentredBox, InstanceRows, capture_from_object, eye_from_object};
+use crate::culling::{CullingWork, LeftClusters};
 use crate::error::ServiceError;
 use crate::mesh::MeshHandle;
 
@@ -24,6 +25,8 @@ pub(super) struct FacetDraws<'a> {
     eye: Eye<'a>,
     frame: &'a mut FrameCommands,
     scratch: &'a mut CommandScratch,
+    /// Takes the draws that are left to the device.
+    work: Option<&'a mut CullingWork>,
     /// What the draws so far leave bound.
     bound: Option<(PipelineHandle, MeshHandle)>,
 }
@@ -69,7 +72,7 @@ impl Gathered {
 }
 
 /// Gives a list that has grown twice the room that it needed: command lists that breathe stay where they are.
-pub(super) fn widen<T>(list: &mut Vec<T>, room_before: usize, needed: usize) {
+fn widen<T>(list: &mut Vec<T>, room_before: usize, needed: usize) {
     if list.capacity() > room_before {
         list.reserve((2 * needed).saturating_sub(list.len()));
     }
@@ -97,13 +100,45 @@ impl<'a> FacetDraws<'a> {
         casters: &'a CasterScene,
         frame: &'a mut FrameCommands,
         scratch: &'a mut CommandScratch,
+        mut work: Option<&'a mut CullingWork>,
     ) -> Self {
+        if let Some(work) = &mut work {
+            work.begin(plan.eye_world, plan.capture_from_world(), casters.block_count());
+        }
         let (eye_world, capture_from_world) = (plan.eye_world, plan.capture_from_world());
-        Self { plan, eye: Eye { casters, eye_world, capture_from_world }, frame, scratch, bound: None }
+        Self { plan, eye: Eye { casters, eye_world, capture_from_world }, frame, scratch, work, bound: None }
+    }
+
+    /// Appends the draws of some of the plan's facets, and leaves room for lists that draw up to twice as much.
+    pub(super) fn add_all<'m>(
+        &mut self,
+        facets: impl IntoIterator<Item = usize>,
+        facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
+        statistics: &mut FrameStatistics,
+    ) -> Result<(), ServiceError> {
+        let FrameCommands { commands, rows } = &*self.frame;
+        let room = (commands.capacity(), rows.capacity(), self.scratch.gathered.room());
+        statistics.casters += self.eye.casters.instances().len() as u32;
+        let plan = self.plan;
+        for position in facets {
+            let Some(facet) = plan.facets.get(position) else { continue };
+            let counts = self.add(FacetHandle(position as u32), facet, &facts)?;
+            statistics.draws += counts.draws;
+            statistics.instances += counts.instances;
+            statistics.triangles += counts.triangles;
+            statistics.facets.push(counts);
+        }
+
+        let FrameCommands { commands, rows } = &mut *self.frame;
+        let needed = (commands.len(), rows.len());
+        widen(commands, room.0, needed.0);
+        widen(rows, room.1, needed.1);
+        self.scratch.gathered.widen(room.2);
+        Ok(())
     }
 
     /// Appends the draws of a facet; `facts` finds a mesh.
-    pub(super) fn add<'m>(
+    fn add<'m>(
         &mut self,
         handle: FacetHandle,
         facet: &Facet,
@@ -112,13 +147,13 @@ impl<'a> FacetDraws<'a> {
         self.scratch.reach.begin(self.plan, facet);
         let mut counts = FacetStatistics { facet: facet.first_cell(), ..Default::default() };
         for group in self.eye.casters.groups() {
+            if self.leave(group, handle, facet, &facts, &mut counts)? {
+                continue;
+            }
             let start = self.frame.rows.len();
             let Some(facts) = self.gather(group, &facts, &mut counts)? else { continue };
             let whole = start..self.frame.rows.len();
-            if counts.draws == 0 {
-                self.frame.commands.push(Command::Facet { facet: handle, tile: facet.tile });
-            }
-            self.bind(group, facts.pipeline);
+            self.bind(group, facts.pipeline, handle, facet, &counts);
             let plain = self.draw(&facts, whole.clone(), &mut counts)?;
             self.draw_fans(group, &facts, facet, whole, plain, &mut counts);
         }
@@ -177,8 +212,71 @@ impl<'a> FacetDraws<'a> {
         Ok(found.filter(|_| !whole.is_empty() || !parts.is_empty()))
     }
 
-    /// Binds what differs from the previous draw.
-    fn bind(&mut self, group: &Group, pipeline: PipelineHandle) {
+    /// Leaves a group to the device, if there is work for it and the group's triangles are drawn plainly.
+    fn leave<'m>(
+        &mut self,
+        group: &Group,
+        handle: FacetHandle,
+        facet: &Facet,
+        facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
+        counts: &mut FacetStatistics,
+    ) -> Result<bool, ServiceError> {
+        let reach = &mut self.scratch.reach;
+        let Some(work) = &mut self.work else { return Ok(false) };
+        if reach.refuses(group) {
+            return Ok(true);
+        }
+        let Some(facts) = facts(group.mesh).filter(|facts| facts.drawing == Drawing::Plain) else {
+            return Ok(false);
+        };
+
+        // Write down every block that is not refused.
+        let (scene, start) = (self.eye.casters, work.blocks());
+        let (mut candidates, mut content) = (0, 0_u64);
+        for (number, block) in group.blocks.clone().zip(scene.blocks(group)) {
+            let Some(cutting) = reach.cutting_block(block) else { continue };
+            let members = scene.members(block);
+            let instances = members.iter().map(|caster| {
+                let number = caster.number;
+                (number, &scene.instances()[number as usize])
+            });
+            work.add_block(number, instances, cutting)?;
+            candidates += members.len() as u64;
+            content = members.iter().fold(content, |content, caster| content.wrapping_add(caster.content));
+        }
+        if candidates == 0 {
+            return Ok(true);
+        }
+        let left = work.add_draw(group.mesh, &facts, start..work.blocks());
+
+        // Draw what culling leaves of them.
+        self.bind(group, facts.pipeline, handle, facet, counts);
+        let indexed = facts.indexed;
+        let commands = &mut self.frame.commands;
+        commands.push(Command::DrawCulled { arguments: left.arguments, indexed });
+        if let Some(LeftClusters { arguments, count, most }) = left.clusters {
+            commands.push(Command::DrawCulledClusters { arguments, count, most, indexed });
+            counts.draws += 1;
+        }
+        counts.draws += 1;
+        counts.instances += candidates;
+        counts.triangles += candidates * u64::from(facts.corners / 3);
+        counts.content = counts.content.wrapping_add(content);
+        Ok(true)
+    }
+
+    /// Binds what differs from the previous draw, and the facet before its first one.
+    fn bind(
+        &mut self,
+        group: &Group,
+        pipeline: PipelineHandle,
+        handle: FacetHandle,
+        facet: &Facet,
+        counts: &FacetStatistics,
+    ) {
+        if counts.draws == 0 {
+            self.frame.commands.push(Command::Facet { facet: handle, tile: facet.tile });
+        }
         if self.bound.is_none_or(|(bound, _)| bound != pipeline) {
             self.frame.commands.push(Command::Pipeline(pipeline));
         }

@@ -4,7 +4,7 @@ use cssm_core::ShadowPlan;
 use cssm_core::facet::Facet;
 use cssm_core::glam::DVec3;
 
-use crate::casters::{CasterScene, Group, SortedCaster};
+use crate::casters::{Block, CasterScene, Group, SortedCaster};
 use crate::cull::{HalfSpace, Side, eye_from_object};
 
 /// The half-spaces of one facet after another. Boxes are brought to the eye, not half-spaces to the world: what lies far
@@ -44,14 +44,9 @@ impl FacetReach {
             return;
         }
         for block in scene.blocks(group) {
-            // Most are refused: begin with the half-space that refused last.
-            let bounds = block.bounds.from_eye(self.eye_world);
-            if let Some(refusing) = self.planes.iter().position(|plane| plane.is_outside(&bounds)) {
-                self.planes[..=refusing].rotate_right(1);
+            if self.cutting_block(block).is_none() {
                 continue;
             }
-            self.near.clear();
-            self.near.extend(self.planes.iter().filter(|plane| plane.side(&bounds) == Side::Crossing));
             for caster in scene.members(block) {
                 if self.is_reached(scene, group, caster) {
                     take(caster, &self.cutting);
@@ -60,16 +55,29 @@ impl FacetReach {
         }
     }
 
+    /// The half-spaces that cut through a block's box, relative to the eye, world axes; `None` where the block is refused.
+    pub(super) fn cutting_block(&mut self, block: &Block) -> Option<&[HalfSpace]> {
+        // Most are refused: begin with the half-space that refused last.
+        let bounds = block.bounds.seen_from(self.eye_world);
+        if let Some(refusing) = self.planes.iter().position(|plane| plane.is_outside(&bounds)) {
+            self.planes[..=refusing].rotate_right(1);
+            return None;
+        }
+        self.near.clear();
+        self.near.extend(self.planes.iter().filter(|plane| plane.side(&bounds) == Side::Crossing));
+        Some(&self.near)
+    }
+
     /// Whether nothing of a group can reach the facet.
-    fn refuses(&self, group: &Group) -> bool {
-        let bounds = group.bounds.from_eye(self.eye_world);
+    pub(super) fn refuses(&self, group: &Group) -> bool {
+        let bounds = group.bounds.seen_from(self.eye_world);
         self.planes.iter().any(|plane| plane.is_outside(&bounds))
     }
 
     /// Tests an instance against the half-spaces that cut through its block, first with its box in world axes, which
     /// decides most of them, then with the box of its own space, which is tighter where it is turned.
     fn is_reached(&mut self, scene: &CasterScene, group: &Group, caster: &SortedCaster) -> bool {
-        let bounds = caster.bounds.from_eye(self.eye_world);
+        let bounds = caster.bounds.seen_from(self.eye_world);
         if self.near.iter().any(|plane| plane.is_outside(&bounds)) {
             return false;
         }

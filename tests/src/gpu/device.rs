@@ -3,7 +3,7 @@
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use cssm_core::table::CaseTable;
-use cssm_runtime::{features_and_limits, wgpu};
+use cssm_runtime::{culling_requirements, features_and_limits, wgpu};
 
 /// A device and where it came from.
 #[derive(Debug)]
@@ -73,5 +73,23 @@ pub fn device_for(table: &CaseTable) -> TestDevice {
         ..Default::default()
     }))
     .expect("the adapter refused what features_and_limits asked for");
+    TestDevice { adapter, device, queue }
+}
+
+/// A new device that also has what culling on the device takes, except some features.
+///
+/// # Panics
+/// When there is no Vulkan adapter, or it cannot cull.
+pub fn culling_device(table: &CaseTable, without: wgpu::Features) -> TestDevice {
+    let TestDevice { adapter, .. } = new_device(wgpu::Features::empty());
+    let needed = features_and_limits(&adapter, table).expect("the adapter runs every test case");
+    let culling = culling_requirements(&adapter).expect("the adapter culls");
+    let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+        label: Some("cssm tests"),
+        required_features: (needed.features | culling.features) - without,
+        required_limits: needed.limits.or_better_values_from(&culling.limits),
+        ..Default::default()
+    }))
+    .expect("the adapter refused what culling asked for");
     TestDevice { adapter, device, queue }
 }

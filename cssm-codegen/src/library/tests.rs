@@ -5,8 +5,8 @@ use std::process::Command;
 
 use cssm_core::LightCase;
 use cssm_core::case::{
-    Bias, CaseError, Casters, DominantPlane, Filter, LightCaseBuilder, LightKind, MaskDepth, MaskNormal,
-    Resolve, Stretch,
+    Axes, Bias, CaseError, Casters, DominantPlane, Filter, Kernel, LightCaseBuilder, LightKind, MaskDepth,
+    MaskNormal, PcfSize, Resolve, Stretch,
 };
 use cssm_core::schema::Word;
 use cssm_core::table::{CaseTable, ShaderKind};
@@ -74,11 +74,18 @@ fn resolve_cases() -> Vec<LightCase> {
         Bias::WorldTexel { a_metres: 0.01, b_texels: 1.5 },
         Bias::ReceiverPlane,
     ];
-    let filters = [Filter::None, Filter::Hardware2x2, Filter::Gather2x2];
+    let narrow = [Filter::None, Filter::Hardware2x2, Filter::Gather2x2];
+    let wide = wide_filters();
     let mut cases = Vec::new();
     for bias in biases {
         cases.extend(local_and_bent(&|| LightCase::builder("Reference").bias(bias)));
-        for filter in filters {
+        for filter in wide {
+            let case = || LightCase::builder("Reference").bias(bias).filter(filter);
+            cases.extend(local_and_bent(&case));
+            cases.push(case().axes(Axes::World).build());
+            cases.push(case().shadow_distance_metres(1000.0).technique(Word::plain("standard")).build());
+        }
+        for filter in narrow {
             let normals = match bias.reads_normal() {
                 true => &[MaskNormal::Reconstructed, MaskNormal::Texture][..],
                 false => &[MaskNormal::Reconstructed],
@@ -98,6 +105,15 @@ fn resolve_cases() -> Vec<LightCase> {
         }
     }
     cases.into_iter().collect::<Result<_, _>>().unwrap()
+}
+
+/// Filters that find the width of their kernel, one for each way to find it.
+fn wide_filters() -> [Filter; 3] {
+    [
+        Filter::Pcf { size: PcfSize::Three, kernel: Kernel::Texels },
+        Filter::Pcf { size: PcfSize::Five, kernel: Kernel::Metres(0.05) },
+        Filter::Pcf { size: PcfSize::Seven, kernel: Kernel::Pixels(3.0) },
+    ]
 }
 
 /// Local lights, bent rows and dominant planes, in every way that the shaders tell apart.

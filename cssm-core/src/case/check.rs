@@ -161,10 +161,11 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
     let reach = case.filter.radius_texels();
     if let Some(gutter) = case.map.gutter.filter(|gutter| *gutter < reach) {
         let filter = case.filter.name();
+        let plural = if reach == 1 { "" } else { "s" };
         errors.push(error(
             "map.gutter",
             format!(
-                "a gutter of {gutter} texels is narrower than the reach of filter `{filter}`, {reach} texel"
+                "a gutter of {gutter} texels is narrower than the reach of filter `{filter}`, {reach} texel{plural}"
             ),
             format!("use `auto` or at least {reach}"),
         ));

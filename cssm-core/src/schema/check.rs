@@ -93,7 +93,7 @@ impl fmt::Display for Kind {
             }
             Self::Number { min, max, open, unit } => {
                 let noun = match unit {
-                    Unit::None | Unit::Texels => "a number",
+                    Unit::None | Unit::Texels | Unit::Pixels => "a number",
                     Unit::Length => "a length",
                 };
                 match (max.is_finite(), open) {

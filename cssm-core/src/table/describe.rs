@@ -6,7 +6,7 @@ use super::{
     BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantKind, ConstantValue, FieldType,
     GroupContent, Meaning, Pass, Record, RecordField, RecordKind, Resource, ShaderKind,
 };
-use crate::case::{Bias, Casters, Filter, LightCase, MaskDepth, MaskNormal, Resolve, Stretch};
+use crate::case::{Bias, Casters, Filter, Kernel, LightCase, MaskDepth, MaskNormal, Resolve, Stretch};
 use crate::distribution::RemapKind;
 use crate::facet::FacetShape;
 
@@ -69,12 +69,23 @@ impl CaseTable {
             may_reverse_depth: case.may_reverse_depth(),
             axes: case.axes,
             shears: case.shears(),
-            fetches_per_pixel: 1,
+            fetches_per_pixel: fetches_per_pixel(case.filter),
             constants: constants(&names, case).into(),
             records: records.into(),
             groups: groups.into(),
             passes: passes.into(),
             shaders: Cow::Borrowed(&[]),
+        }
+    }
+}
+
+/// Texture fetch instructions of the map for one receiver, at most.
+const fn fetches_per_pixel(filter: Filter) -> u32 {
+    match filter {
+        Filter::None | Filter::Hardware2x2 | Filter::Gather2x2 => 1,
+        Filter::Pcf { .. } => {
+            let gathers = filter.texels_across() / 2;
+            gathers * gathers
         }
     }
 }
@@ -139,6 +150,17 @@ fn constants(names: &Names, case: &LightCase) -> Vec<Constant> {
     if case.filter != Filter::None {
         let size = [case.map.width as f32, case.map.height as f32];
         push(ConstantKind::MapSize, ConstantValue::Vec2(size));
+    }
+    if let Filter::Pcf { size, kernel } = case.filter {
+        if kernel == Kernel::Texels {
+            push(ConstantKind::Gathers, ConstantValue::U32(case.filter.texels_across() / 2));
+        }
+        push(ConstantKind::WidestKernel, ConstantValue::F32(0.5 * size.texels() as f32));
+        match kernel {
+            Kernel::Texels => {}
+            Kernel::Metres(width) => push(ConstantKind::KernelMetres, ConstantValue::F32(0.5 * width as f32)),
+            Kernel::Pixels(width) => push(ConstantKind::KernelPixels, ConstantValue::F32(0.5 * width as f32)),
+        }
     }
     if shape.sectors > 1 {
         push(ConstantKind::Sectors, ConstantValue::U32(shape.sectors));
@@ -279,6 +301,9 @@ fn shadow_record(names: &Names, case: &LightCase, facet_bytes: u32) -> Record {
     if case.shears() {
         layout.push("shear", Meaning::Shear, FieldType::Vec4);
     }
+    if case.filter.measures_pixels() {
+        layout.push("pixel_metres", Meaning::PixelMetres, FieldType::Vec4);
+    }
     if case.may_reverse_depth() {
         layout.push("depth_sign", Meaning::DepthSign, FieldType::F32);
     }
@@ -386,7 +411,7 @@ fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32)
     let sampler = match case.filter {
         Filter::None => None,
         Filter::Hardware2x2 => Some(BindingKind::ComparisonSampler),
-        Filter::Gather2x2 => Some(BindingKind::GatherSampler),
+        Filter::Gather2x2 | Filter::Pcf { .. } => Some(BindingKind::GatherSampler),
     };
     if let Some(kind) = sampler {
         bindings.push(Binding { binding: 2, name: names.value("map_sampler"), kind });

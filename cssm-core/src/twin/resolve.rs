@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::DepthMap;
+use super::{DepthMap, kernel};
 use crate::case::{Bias, Filter, LightCase, Stretch};
 use crate::distribution::RemapKind;
 use crate::facet::{Facet, FacetRows};
@@ -87,6 +87,14 @@ pub fn resolve(
             let upper = tap(0.0, 0.0) * (1.0 - weight.x) + tap(1.0, 0.0) * weight.x;
             let lower = tap(0.0, 1.0) * (1.0 - weight.x) + tap(1.0, 1.0) * weight.x;
             upper * (1.0 - weight.y) + lower * weight.y
+        }
+        Filter::Pcf { size, kernel } => {
+            let per_metre = kernel::texels_per_metre(&facet.tile, &gradients);
+            let pixel_metres = plan.pixel_metres.dot(point_from_eye.extend(1.0));
+            let widest = 0.5 * f64::from(size.texels());
+            let wanted = kernel::half_widths(kernel, widest, per_metre, pixel_metres);
+            let half_widths = wanted.min(kernel::room(&facet.tile, texel));
+            kernel::lit_in_box(texel, half_widths, |corner| lit_at(reference.at(corner + 0.5), corner))
         }
     };
     Resolved { cell: index, texel, depth, visibility }

@@ -95,6 +95,7 @@ library![
     "kernel_texels",
     "kernel_metres",
     "kernel_pixels",
+    "kernel_light",
     "light_distance",
     "bias_none",
     "bias_constant",
@@ -118,6 +119,9 @@ library![
     "filter_box_plane",
     "filter_pcf_fixed",
     "filter_pcf_varying",
+    "filter_casters_flat",
+    "filter_casters_plane",
+    "filter_pcss",
     "visibility_one_unbiased",
     "visibility_one_biased",
     "visibility_one_normal",
@@ -357,25 +361,29 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
 
 /// Files of the filter and its kernel.
 fn filter(case: &LightCase, table: &CaseTable, plane: bool) -> Vec<&'static str> {
-    let in_box =
-        ["kernel_room", "filter_overlap", if plane { "filter_box_plane" } else { "filter_box_flat" }];
-    let density = ["texel_density", if table.shears { "gradient_sheared" } else { "gradient_plain" }];
-    let (own, shared): (&[_], _) = match (case.filter, plane) {
+    let own: &[_] = match (case.filter, plane) {
         (Filter::None, false) => return vec!["filter_none_flat"],
         (Filter::None, true) => return vec!["filter_none_plane"],
         (Filter::Hardware2x2, false) => return vec!["filter_hardware_flat"],
         (Filter::Hardware2x2, true) => return vec!["filter_hardware_plane"],
         (Filter::Gather2x2, false) => return vec!["filter_gather_flat"],
         (Filter::Gather2x2, true) => return vec!["filter_gather_plane"],
-        (Filter::Pcf { kernel: Kernel::Texels, .. }, _) => (&["kernel_texels", "filter_pcf_fixed"], None),
-        (Filter::Pcf { kernel: Kernel::Metres(_), .. }, _) => {
-            (&["kernel_metres", "filter_pcf_varying"], Some(density))
-        }
-        (Filter::Pcf { kernel: Kernel::Pixels(_), .. }, _) => {
-            (&["kernel_pixels", "filter_pcf_varying"], Some(density))
-        }
+        (Filter::Pcf { kernel: Kernel::Texels, .. }, _) => &["kernel_texels", "filter_pcf_fixed"],
+        (Filter::Pcf { kernel: Kernel::Metres(_), .. }, _) => &["kernel_metres", "filter_pcf_varying"],
+        (Filter::Pcf { kernel: Kernel::Pixels(_), .. }, _) => &["kernel_pixels", "filter_pcf_varying"],
+        (Filter::Pcss { .. }, false) => &["kernel_light", "filter_casters_flat", "filter_pcss"],
+        (Filter::Pcss { .. }, true) => &["kernel_light", "filter_casters_plane", "filter_pcss"],
     };
-    in_box.into_iter().chain(own.iter().copied()).chain(shared.into_iter().flatten()).collect()
+    let mut names = own.to_vec();
+    names.extend([
+        "kernel_room",
+        "filter_overlap",
+        if plane { "filter_box_plane" } else { "filter_box_flat" },
+    ]);
+    if case.filter.measures_texels() {
+        names.extend(["texel_density", if table.shears { "gradient_sheared" } else { "gradient_plain" }]);
+    }
+    names
 }
 
 /// The file that joins a filter that finds the width of its kernel.

@@ -72,6 +72,9 @@ fn a_kernel_that_measures_less_is_smaller() {
         assert!(less.functions <= more.functions && less.words < more.words, "{less:?} {more:?}");
         assert_eq!(less.bindings, more.bindings);
     }
+    let soft = mask("filter: pcss");
+    assert!(metres.words < soft.words && metres.functions < soft.functions);
+
     // Pixels need the view; nothing else asks for more than the facet.
     assert_eq!(gather.record_bytes, metres.record_bytes);
     assert!(metres.record_bytes < pixels.record_bytes);

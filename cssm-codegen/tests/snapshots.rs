@@ -134,6 +134,19 @@ fn boxes_of_a_width_in_pixels() {
 }
 
 #[test]
+fn soft_edges() {
+    let variant = declared("filter: pcss, resolve: [function]");
+    insta::assert_snapshot!("pcss.function.wgsl", wgsl(&variant, ShaderKind::Function));
+    insta::assert_snapshot!("pcss.explain", variant.explain);
+}
+
+#[test]
+fn soft_edges_of_a_light_that_stands_near() {
+    let variant = declared("light: spot, filter: pcss { radius: 2 cm }, bias: none, resolve: [function]");
+    insta::assert_snapshot!("pcss_spot.function.wgsl", wgsl(&variant, ShaderKind::Function));
+}
+
+#[test]
 fn receiver_plane_and_no_filter() {
     let variant = declared("bias: receiver_plane, filter: none, resolve: [function]");
     insta::assert_snapshot!("plane_none.function.wgsl", wgsl(&variant, ShaderKind::Function));

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::fitted::map_area;
 use super::window::Window;
 use super::{casters, region};
-use crate::case::{Bias, DepthFormat, LightCase};
+use crate::case::{Bias, DepthFormat, Filter, LightCase};
 use crate::depth::{DepthNeeds, depth_row};
 use crate::facet::{Facet, FacetRows, Tile};
 use crate::footprint::quantile;
@@ -64,6 +64,7 @@ pub(super) fn finish(
         receivers,
         samples: &window.samples,
         margin_metres_per_w: margin,
+        headroom_per_w: headroom_per_w(situation.case, &texels),
         near_w: near_w(&rows, window, situation),
         farthest_metres_per_w: farthest,
         order: rules.order,
@@ -131,6 +132,15 @@ impl TexelsPerW {
             if values.is_empty() { 0.0 } else { quantile(&values, 0.5) }
         };
         Self { major: median(majors), minor: median(minors) }
+    }
+}
+
+/// Depth kept before the receivers for the casters of soft shadows: those beyond throw edges as wide as the widest kernel
+/// wherever they are, so that casters at the near end of depth may share it.
+fn headroom_per_w(case: &LightCase, texels: &TexelsPerW) -> f64 {
+    match case.filter {
+        Filter::Pcss { source, reach_texels } => f64::from(reach_texels) * texels.major / source.radius(),
+        _ => 0.0,
     }
 }
 

@@ -26,6 +26,8 @@ pub enum ConstantKind {
     KernelMetres,
     /// Half the width of the filter's kernel, screen pixels.
     KernelPixels,
+    /// Radius of the light: at a metre's distance for a directional light, in metres for a local one.
+    LightRadius,
     /// Sectors around the eye.
     Sectors,
     /// Bands in each sector.
@@ -55,6 +57,7 @@ impl ConstantKind {
             Self::WidestKernel => "WIDEST_KERNEL",
             Self::KernelMetres => "KERNEL_METRES",
             Self::KernelPixels => "KERNEL_PIXELS",
+            Self::LightRadius => "LIGHT_RADIUS",
             Self::Sectors => "SECTORS",
             Self::Bands => "BANDS",
             Self::ThresholdVectors => "THRESHOLD_VECTORS",
@@ -75,6 +78,9 @@ impl ConstantKind {
             Self::WidestKernel => "Half the widest kernel in texels.",
             Self::KernelMetres => "Half the width of the kernel, metres across the light.",
             Self::KernelPixels => "Half the width of the kernel in screen pixels.",
+            Self::LightRadius => {
+                "Radius of the light: at a metre's distance for a directional light, in metres for a local one."
+            }
             Self::Sectors => "Sectors around the eye.",
             Self::Bands => "Bands of distance in each sector.",
             Self::ThresholdVectors => "Vectors of four band limits in each sector.",

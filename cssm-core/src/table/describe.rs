@@ -87,6 +87,10 @@ const fn fetches_per_pixel(filter: Filter) -> u32 {
             let gathers = filter.texels_across() / 2;
             gathers * gathers
         }
+        Filter::Pcss { .. } => {
+            let gathers = filter.texels_across().div_ceil(2);
+            2 * gathers * gathers
+        }
     }
 }
 
@@ -161,6 +165,10 @@ fn constants(names: &Names, case: &LightCase) -> Vec<Constant> {
             Kernel::Metres(width) => push(ConstantKind::KernelMetres, ConstantValue::F32(0.5 * width as f32)),
             Kernel::Pixels(width) => push(ConstantKind::KernelPixels, ConstantValue::F32(0.5 * width as f32)),
         }
+    }
+    if let Filter::Pcss { source, reach_texels } = case.filter {
+        push(ConstantKind::WidestKernel, ConstantValue::F32(reach_texels as f32));
+        push(ConstantKind::LightRadius, ConstantValue::F32(source.radius() as f32));
     }
     if shape.sectors > 1 {
         push(ConstantKind::Sectors, ConstantValue::U32(shape.sectors));
@@ -253,11 +261,14 @@ fn facet_record(names: &Names, case: &LightCase) -> Record {
     push_rows(&mut layout);
     layout.push("texel_from_ndc", Meaning::TexelFromNdc, FieldType::Vec4);
     layout.push("texel_limits", Meaning::TexelLimits, FieldType::Vec4);
+    let biased_by_metres =
+        matches!(case.bias, Bias::Constant { .. } | Bias::Slope { .. } | Bias::WorldTexel { .. });
+    if biased_by_metres || case.filter.measures_depth() {
+        layout.push("depth_per_metre", Meaning::DepthPerMetre, FieldType::F32);
+    }
     match case.bias {
-        Bias::None => {}
-        Bias::Constant { .. } => layout.push("depth_per_metre", Meaning::DepthPerMetre, FieldType::F32),
+        Bias::None | Bias::Constant { .. } => {}
         Bias::Slope { .. } | Bias::WorldTexel { .. } => {
-            layout.push("depth_per_metre", Meaning::DepthPerMetre, FieldType::F32);
             layout.push("texel_metres_per_w", Meaning::TexelMetresPerW, FieldType::F32);
         }
         Bias::ReceiverPlane => {
@@ -411,7 +422,7 @@ fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32)
     let sampler = match case.filter {
         Filter::None => None,
         Filter::Hardware2x2 => Some(BindingKind::ComparisonSampler),
-        Filter::Gather2x2 | Filter::Pcf { .. } => Some(BindingKind::GatherSampler),
+        Filter::Gather2x2 | Filter::Pcf { .. } | Filter::Pcss { .. } => Some(BindingKind::GatherSampler),
     };
     if let Some(kind) = sampler {
         bindings.push(Binding { binding: 2, name: names.value("map_sampler"), kind });

@@ -52,3 +52,37 @@ pub(super) fn lit_in_box(texel: DVec2, half_widths: DVec2, lit_at: impl Fn(DVec2
     let lit: f64 = overlaps(texel, half_widths).map(|(corner, overlap)| overlap * lit_at(corner)).sum();
     lit / (4.0 * half_widths.element_product())
 }
+
+/// The edge of a shadow that a light with an extent throws.
+pub(super) struct SoftEdge {
+    /// Half the widths of the edge in texels for a caster one unit of depth before the receiver. Depth times w over depth per
+    /// metre is a distance along a directional light's rays; for a local light it is that distance as a multiple of the
+    /// caster's own from the light. Times the light's radius both are half the edge in metres at the receiver.
+    pub(super) per_depth: DVec2,
+    /// Half the widest box, texels.
+    pub(super) widest: DVec2,
+}
+
+impl SoftEdge {
+    /// Visibility of a point, `highest` in depth behind the near end; `before` tells how far before the receiver's reference
+    /// a texel holds a caster, 0 or less if it shadows nothing.
+    pub(super) fn visibility(&self, texel: DVec2, highest: f64, before: impl Fn(DVec2) -> f64) -> f64 {
+        let half_widths = |depth: f64| (self.per_depth * depth).clamp(NARROWEST, self.widest);
+
+        // Average the casters that could reach the receiver.
+        let (mut weight, mut depth) = (0.0, 0.0);
+        for (corner, overlap) in overlaps(texel, half_widths(highest)) {
+            let before = before(corner);
+            if before > 0.0 {
+                weight += overlap;
+                depth += overlap * before;
+            }
+        }
+        if weight <= 0.0 {
+            return 1.0;
+        }
+
+        // Blend as wide as the light's image through their edge.
+        lit_in_box(texel, half_widths(depth / weight), |corner| f64::from(u8::from(before(corner) <= 0.0)))
+    }
+}

@@ -96,6 +96,16 @@ pub fn resolve(
             let half_widths = wanted.min(kernel::room(&facet.tile, texel));
             kernel::lit_in_box(texel, half_widths, |corner| lit_at(reference.at(corner + 0.5), corner))
         }
+        Filter::Pcss { source, reach_texels } => {
+            let per_metre = kernel::texels_per_metre(&facet.tile, &gradients);
+            let soft = kernel::SoftEdge {
+                per_depth: per_metre * (source.radius() * gradients.w / facet.depth_per_metre),
+                widest: DVec2::splat(f64::from(reach_texels)).min(kernel::room(&facet.tile, texel)),
+            };
+            let before =
+                |corner: DVec2| reference.at(corner + 0.5).clamp(nearest, farthest) - sign * stored(corner);
+            soft.visibility(texel, reference.depth - nearest, before)
+        }
     };
     Resolved { cell: index, texel, depth, visibility }
 }

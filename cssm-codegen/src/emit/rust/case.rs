@@ -1,7 +1,7 @@
 //! The declaration as a Rust value: what was checked when the module was generated needs no check when it runs.
 
 use cssm_core::LightCase;
-use cssm_core::case::{Bias, DominantPlane, Filter, Kernel, MapSpec, Resolve};
+use cssm_core::case::{Bias, DominantPlane, Filter, Kernel, MapSpec, Resolve, Source};
 use cssm_core::schema::{Arguments, Value, Word};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -96,6 +96,10 @@ fn filter_value(filter: &Filter) -> TokenStream {
             let (size, kernel) = (variant("PcfSize", &size), kernel_value(kernel));
             quote!(Filter::Pcf { size: #size, kernel: #kernel })
         }
+        Filter::Pcss { source, reach_texels } => {
+            let (source, reach_texels) = (source_value(source), number(reach_texels));
+            quote!(Filter::Pcss { source: #source, reach_texels: #reach_texels })
+        }
         Filter::None | Filter::Hardware2x2 | Filter::Gather2x2 => variant("Filter", filter),
     }
 }
@@ -110,6 +114,19 @@ fn kernel_value(kernel: Kernel) -> TokenStream {
         Kernel::Pixels(width) => {
             let width = real(width);
             quote!(Kernel::Pixels(#width))
+        }
+    }
+}
+
+fn source_value(source: Source) -> TokenStream {
+    match source {
+        Source::Angle(degrees) => {
+            let degrees = real(degrees);
+            quote!(Source::Angle(#degrees))
+        }
+        Source::Radius(metres) => {
+            let metres = real(metres);
+            quote!(Source::Radius(#metres))
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The shader library: one file for each alternative of each slot, and which of them a case takes.
 
-use cssm_core::case::{Bias, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
+use cssm_core::case::{Bias, Filter, Kernel, LightCase, MaskDepth, MaskNormal, Resolve};
 use cssm_core::distribution::RemapKind;
 use cssm_core::table::{CaseTable, ConstantKind, GroupContent, ShaderKind};
 
@@ -75,8 +75,10 @@ library![
     "own_dominant",
     "own_dominant_only",
     "place",
+    "place_pixels",
     "place_bent_flat",
     "place_bent_plane",
+    "place_bent_pixels",
     "order_fixed",
     "order_chosen",
     "sampler_fixed",
@@ -86,6 +88,14 @@ library![
     "up_straight",
     "up_bent",
     "plane_gradient",
+    "gradient_plain",
+    "gradient_sheared",
+    "texel_density",
+    "kernel_room",
+    "kernel_texels",
+    "kernel_metres",
+    "kernel_pixels",
+    "kernel_light",
     "light_distance",
     "bias_none",
     "bias_constant",
@@ -104,6 +114,14 @@ library![
     "filter_hardware_plane",
     "filter_gather_flat",
     "filter_gather_plane",
+    "filter_overlap",
+    "filter_box_flat",
+    "filter_box_plane",
+    "filter_pcf_fixed",
+    "filter_pcf_varying",
+    "filter_casters_flat",
+    "filter_casters_plane",
+    "filter_pcss",
     "visibility_one_unbiased",
     "visibility_one_biased",
     "visibility_one_normal",
@@ -114,6 +132,16 @@ library![
     "visibility_many_normal",
     "visibility_many_biased_local",
     "visibility_many_normal_local",
+    "visibility_one_unbiased_wide",
+    "visibility_one_biased_wide",
+    "visibility_one_normal_wide",
+    "visibility_one_biased_local_wide",
+    "visibility_one_normal_local_wide",
+    "visibility_many_unbiased_wide",
+    "visibility_many_biased_wide",
+    "visibility_many_normal_wide",
+    "visibility_many_biased_local_wide",
+    "visibility_many_normal_local_wide",
     "depth_reversed_z",
     "depth_linear",
     "view_ray",
@@ -274,6 +302,7 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
     let plane = case.bias == Bias::ReceiverPlane;
     let local = table.local_light && case.bias != Bias::None;
     let bent = table.remap != RemapKind::None;
+    let measures = case.filter.measures_texels();
     let mut names = walk(table);
 
     // Bring the receiver to the axes of the facets.
@@ -283,12 +312,17 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
     }
 
     // Place it in its facet.
-    names.push(match (bent, plane) {
-        (false, _) => "place",
-        (true, false) => "place_bent_flat",
-        (true, true) => "place_bent_plane",
+    names.push(match (bent, plane || measures, case.filter.measures_pixels()) {
+        (false, _, false) => "place",
+        (false, _, true) => "place_pixels",
+        (true, false, _) => "place_bent_flat",
+        (true, true, false) => "place_bent_plane",
+        (true, true, true) => "place_bent_pixels",
     });
-    names.extend(remap(table.remap, if plane { &[Remap::Value, Remap::Slope] } else { &[Remap::Value] }));
+    names.extend(remap(
+        table.remap,
+        if plane || measures { &[Remap::Value, Remap::Slope] } else { &[Remap::Value] },
+    ));
 
     // Tell which way depths compare.
     names.push(if table.may_reverse_depth { "order_chosen" } else { "order_fixed" });
@@ -298,22 +332,18 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
 
     // Find the reference and compare it.
     names.push(if plane { "receiver_plane" } else { "receiver_flat" });
-    if plane {
-        names.extend(["plane_gradient", if bent { "up_bent" } else { "up_straight" }]);
-    }
+    names.extend(plane.then_some("plane_gradient"));
+    names.extend((plane || measures).then_some(if bent { "up_bent" } else { "up_straight" }));
     names.extend(local.then_some("light_distance"));
     names.push(bias(case, table));
-    names.push(match (case.filter, plane) {
-        (Filter::None, false) => "filter_none_flat",
-        (Filter::None, true) => "filter_none_plane",
-        (Filter::Hardware2x2, false) => "filter_hardware_flat",
-        (Filter::Hardware2x2, true) => "filter_hardware_plane",
-        (Filter::Gather2x2, false) => "filter_gather_flat",
-        (Filter::Gather2x2, true) => "filter_gather_plane",
-    });
+    names.extend(filter(case, table, plane));
 
     // Join them.
     let many = table.cells() > 1;
+    if case.filter.is_wide() {
+        names.push(joined_wide(case, many, local));
+        return names;
+    }
     names.push(match (many, case.bias.reads_normal(), local) {
         (false, _, _) if case.bias == Bias::None => "visibility_one_unbiased",
         (true, _, _) if case.bias == Bias::None => "visibility_many_unbiased",
@@ -327,6 +357,49 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
         (true, true, true) => "visibility_many_normal_local",
     });
     names
+}
+
+/// Files of the filter and its kernel.
+fn filter(case: &LightCase, table: &CaseTable, plane: bool) -> Vec<&'static str> {
+    let own: &[_] = match (case.filter, plane) {
+        (Filter::None, false) => return vec!["filter_none_flat"],
+        (Filter::None, true) => return vec!["filter_none_plane"],
+        (Filter::Hardware2x2, false) => return vec!["filter_hardware_flat"],
+        (Filter::Hardware2x2, true) => return vec!["filter_hardware_plane"],
+        (Filter::Gather2x2, false) => return vec!["filter_gather_flat"],
+        (Filter::Gather2x2, true) => return vec!["filter_gather_plane"],
+        (Filter::Pcf { kernel: Kernel::Texels, .. }, _) => &["kernel_texels", "filter_pcf_fixed"],
+        (Filter::Pcf { kernel: Kernel::Metres(_), .. }, _) => &["kernel_metres", "filter_pcf_varying"],
+        (Filter::Pcf { kernel: Kernel::Pixels(_), .. }, _) => &["kernel_pixels", "filter_pcf_varying"],
+        (Filter::Pcss { .. }, false) => &["kernel_light", "filter_casters_flat", "filter_pcss"],
+        (Filter::Pcss { .. }, true) => &["kernel_light", "filter_casters_plane", "filter_pcss"],
+    };
+    let mut names = own.to_vec();
+    names.extend([
+        "kernel_room",
+        "filter_overlap",
+        if plane { "filter_box_plane" } else { "filter_box_flat" },
+    ]);
+    if case.filter.measures_texels() {
+        names.extend(["texel_density", if table.shears { "gradient_sheared" } else { "gradient_plain" }]);
+    }
+    names
+}
+
+/// The file that joins a filter that finds the width of its kernel.
+fn joined_wide(case: &LightCase, many: bool, local: bool) -> &'static str {
+    match (many, case.bias.reads_normal(), local) {
+        (false, _, _) if case.bias == Bias::None => "visibility_one_unbiased_wide",
+        (true, _, _) if case.bias == Bias::None => "visibility_many_unbiased_wide",
+        (false, false, false) => "visibility_one_biased_wide",
+        (false, false, true) => "visibility_one_biased_local_wide",
+        (false, true, false) => "visibility_one_normal_wide",
+        (false, true, true) => "visibility_one_normal_local_wide",
+        (true, false, false) => "visibility_many_biased_wide",
+        (true, false, true) => "visibility_many_biased_local_wide",
+        (true, true, false) => "visibility_many_normal_wide",
+        (true, true, true) => "visibility_many_normal_local_wide",
+    }
 }
 
 /// Files that find the facet of a receiver; none for a single facet.

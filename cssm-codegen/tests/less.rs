@@ -63,6 +63,24 @@ fn no_filter_is_no_sampler() {
 }
 
 #[test]
+fn a_kernel_that_measures_less_is_smaller() {
+    let gather = mask("filter: gather_2x2");
+    let texels = mask("filter: pcf_5x5");
+    let metres = mask("filter: pcf_5x5 { kernel: metres(5 cm) }");
+    let pixels = mask("filter: pcf_5x5 { kernel: pixels(3 px) }");
+    for (less, more) in [(gather, texels), (texels, metres), (metres, pixels)] {
+        assert!(less.functions <= more.functions && less.words < more.words, "{less:?} {more:?}");
+        assert_eq!(less.bindings, more.bindings);
+    }
+    let soft = mask("filter: pcss");
+    assert!(metres.words < soft.words && metres.functions < soft.functions);
+
+    // Pixels need the view; nothing else asks for more than the facet.
+    assert_eq!(gather.record_bytes, metres.record_bytes);
+    assert!(metres.record_bytes < pixels.record_bytes);
+}
+
+#[test]
 fn a_bias_that_reads_less_is_smaller() {
     let words = |bias: &str| mask(&format!("bias: {bias}, filter: gather_2x2"));
     let (none, constant, world_texel, slope, plane) =

@@ -112,6 +112,41 @@ fn constant_bias_and_gather() {
 }
 
 #[test]
+fn boxes_of_a_fixed_width() {
+    let variant = declared("filter: pcf_3x3, resolve: [function]");
+    insta::assert_snapshot!("pcf_texels.function.wgsl", wgsl(&variant, ShaderKind::Function));
+    insta::assert_snapshot!("pcf_texels.explain", variant.explain);
+}
+
+#[test]
+fn boxes_of_a_width_in_metres_under_a_flat_bias() {
+    let variant = declared(
+        "filter: pcf_5x5 { kernel: metres(5 cm) }, bias: constant, resolve: [function], axes: world",
+    );
+    insta::assert_snapshot!("pcf_metres.function.wgsl", wgsl(&variant, ShaderKind::Function));
+}
+
+#[test]
+fn boxes_of_a_width_in_pixels() {
+    let variant = declared("filter: pcf_7x7 { kernel: pixels(3 px) }, resolve: [function]");
+    insta::assert_snapshot!("pcf_pixels.function.wgsl", wgsl(&variant, ShaderKind::Function));
+    insta::assert_snapshot!("pcf_pixels.json", variant.json);
+}
+
+#[test]
+fn soft_edges() {
+    let variant = declared("filter: pcss, resolve: [function]");
+    insta::assert_snapshot!("pcss.function.wgsl", wgsl(&variant, ShaderKind::Function));
+    insta::assert_snapshot!("pcss.explain", variant.explain);
+}
+
+#[test]
+fn soft_edges_of_a_light_that_stands_near() {
+    let variant = declared("light: spot, filter: pcss { radius: 2 cm }, bias: none, resolve: [function]");
+    insta::assert_snapshot!("pcss_spot.function.wgsl", wgsl(&variant, ShaderKind::Function));
+}
+
+#[test]
 fn receiver_plane_and_no_filter() {
     let variant = declared("bias: receiver_plane, filter: none, resolve: [function]");
     insta::assert_snapshot!("plane_none.function.wgsl", wgsl(&variant, ShaderKind::Function));

@@ -9,10 +9,12 @@ mod arguments;
 mod builder;
 mod check;
 mod fields;
+mod filter;
 mod names;
 
 pub use builder::LightCaseBuilder;
 pub use fields::{FIELDS, MAP_SIDE_LIMIT_TEXELS};
+pub use filter::{Filter, Kernel, PcfSize, Source};
 
 use crate::distribution::{self, RemapKind};
 use crate::facet::FacetShape;
@@ -167,36 +169,6 @@ impl DepthFormat {
         match self {
             Self::Depth32Float => 5.960_464_477_539_063e-8,
             Self::Depth16Unorm => 0.5 / 65535.0,
-        }
-    }
-}
-
-/// How texels become visibility.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Filter {
-    /// Nearest texel, hard edge.
-    None,
-    /// Comparison sampler with linear filtering: one reference for four texels.
-    Hardware2x2,
-    /// Gather of four texels, each compared with its own reference, blended bilinearly.
-    Gather2x2,
-}
-
-impl Filter {
-    /// Name in declarations, tables and reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Hardware2x2 => "hardware_2x2",
-            Self::Gather2x2 => "gather_2x2",
-        }
-    }
-
-    /// Distance in texels from the receiver's map point to the farthest texel edge a tap may reach.
-    pub const fn radius_texels(self) -> u32 {
-        match self {
-            Self::None => 0,
-            Self::Hardware2x2 | Self::Gather2x2 => 1,
         }
     }
 }

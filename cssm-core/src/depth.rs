@@ -32,6 +32,9 @@ pub(crate) struct DepthNeeds<'a> {
     pub samples: &'a [DVec3],
     /// Kept free before and behind the receivers, metres along the light per w.
     pub margin_metres_per_w: f64,
+    /// Kept free before the receivers besides, for casters whose distance is to be told, metres along the light per w, or, for
+    /// a local light, multiples of their own distance from it.
+    pub headroom_per_w: f64,
     /// Receivers deeper than this times w share the ends of the range.
     pub farthest_metres_per_w: f64,
     /// Smallest w of receivers of a local light; nearer ones share the near end of the range.
@@ -90,9 +93,10 @@ pub(crate) fn depth_row(rows: &FacetRows, needs: &DepthNeeds<'_>) -> Option<Dept
 /// farther the light is.
 fn range(zeta: DVec4, w: DVec4, receivers: &Polytope, slope: f64, needs: &DepthNeeds<'_>) -> (f64, f64) {
     let margin = needs.margin_metres_per_w * slope;
+    let headroom = needs.headroom_per_w * slope;
     if needs.light.w == 0.0 {
         let (first, last) = receivers.ratio_range(zeta, w);
-        return (first - margin, last + margin);
+        return (first - margin - headroom, last + margin);
     }
     let mut ends = (f64::INFINITY, f64::NEG_INFINITY);
     for vertex in &receivers.vertices {
@@ -104,7 +108,7 @@ fn range(zeta: DVec4, w: DVec4, receivers: &Polytope, slope: f64, needs: &DepthN
         let margin = margin / light_distance(needs.light, *vertex).max(f64::MIN_POSITIVE);
         ends = (ends.0.min(value - margin), ends.1.max(value + margin));
     }
-    ends
+    (ends.0 - headroom, ends.1)
 }
 
 /// Distance of a homogeneous point from a local light in metres, infinite at infinity; 1 for a directional light.

@@ -80,6 +80,9 @@ pub struct ShadowPlan {
     /// The light as a homogeneous point relative to the eye, world axes: unit direction towards it and w = 0, or position
     /// and w = 1.
     pub light: DVec4,
+    /// Metres that a screen pixel spans at a point's depth, across the view axis: a functional on points relative to the eye,
+    /// world axes. Kernels that are so many pixels wide follow it.
+    pub pixel_metres: DVec4,
     /// How the map stores depth.
     pub depth_order: DepthOrder,
     /// Width and height of the map in texels.

@@ -109,6 +109,10 @@ pub enum Unit {
     Length,
     /// Map texels: `texel` or `texels`.
     Texels,
+    /// Screen pixels: `px`, `pixel` or `pixels`.
+    Pixels,
+    /// An angle: `deg`, `degree` or `degrees`.
+    Degrees,
 }
 
 impl Unit {
@@ -118,15 +122,20 @@ impl Unit {
             Self::None => &[],
             Self::Length => &["mm", "cm", "m", "km"],
             Self::Texels => &["texel", "texels"],
+            Self::Pixels => &["px", "pixel", "pixels"],
+            Self::Degrees => &["deg", "degree", "degrees"],
         }
     }
 
-    /// A number written with one of [`Unit::names`], in base units (metres, texels); `None` for any other unit.
+    /// A number written with one of [`Unit::names`], in base units (metres, texels, pixels, degrees);
+    /// `None` for any other unit.
     /// The empty name is the missing unit of a pure number.
     pub fn base(self, number: f64, name: &str) -> Option<f64> {
         // Divide by whole powers of ten: they are exact, so equal lengths in different units round to equal metres.
         match (self, name) {
-            (Self::None, "") | (Self::Length, "m") | (Self::Texels, "texel" | "texels") => Some(number),
+            (Self::None, "") | (Self::Length, "m") => Some(number),
+            (Self::Texels, "texel" | "texels") | (Self::Pixels, "px" | "pixel" | "pixels") => Some(number),
+            (Self::Degrees, "deg" | "degree" | "degrees") => Some(number),
             (Self::Length, "mm") => Some(number / 1e3),
             (Self::Length, "cm") => Some(number / 1e2),
             (Self::Length, "km") => Some(number * 1e3),
@@ -140,6 +149,8 @@ impl Unit {
             Self::None => "",
             Self::Length => "m",
             Self::Texels => "texels",
+            Self::Pixels => "px",
+            Self::Degrees => "degrees",
         }
     }
 }
@@ -191,7 +202,7 @@ impl Choice {
 pub enum Value {
     /// A whole number.
     Count(u32),
-    /// A real number in base units (metres, texels).
+    /// A real number in base units (metres, texels, pixels, degrees).
     Number(f64),
     /// Width, height in texels.
     Size(u32, u32),

@@ -58,7 +58,7 @@ pub struct CaseTable {
     /// Whether the resolve shaders shear positions along the light; the shadow record then holds the shear and its rows
     /// are those of sheared camera axes. Capture records are in sheared camera axes always.
     pub shears: bool,
-    /// Texture fetch instructions of the map per resolved pixel.
+    /// Texture fetch instructions of the map per resolved pixel, at most.
     pub fetches_per_pixel: u32,
     /// Numbers that the shaders are specialised for.
     pub constants: Cow<'static, [Constant]>,
@@ -200,6 +200,8 @@ pub enum Meaning {
     TowardLight,
     /// What x and y gain per z by the shear along the light: leading parts of twelve bits (xy), then the rest (zw).
     Shear,
+    /// Row that gives the metres that a screen pixel spans at a position's depth.
+    PixelMetres,
     /// 1 where stored depth grows away from the light, -1 where it falls.
     DepthSign,
     /// Half-spaces that casters are cut with; all of space where a facet has none.
@@ -244,6 +246,7 @@ impl Meaning {
             Self::Shear => {
                 "What x and y gain per z by the shear along the light: twelve leading bits, then the rest."
             }
+            Self::PixelMetres => "Metres that a screen pixel spans at a position's depth.",
             Self::DepthSign => "1 where stored depth grows away from the light, -1 where it falls.",
             Self::Clips => "Half-spaces that casters are cut with.",
             Self::AlphaCutoff => "Alpha below which the caster has a hole.",

@@ -4,6 +4,7 @@
 //! one. Both take the plan alone, whatever technique made it, and the case's filter and bias.
 
 mod capture;
+mod kernel;
 mod resolve;
 
 pub use capture::{Triangle, capture, capture_tested};

@@ -228,6 +228,12 @@ impl View {
         f64::from(self.size_pixels.1) / (self.top - self.bottom)
     }
 
+    /// Metres that a screen pixel spans at a point's depth: a functional on points relative to the eye, world axes.
+    pub fn pixel_metres(&self) -> DVec4 {
+        let depth = self.camera_from_world.transpose() * DVec3::NEG_Z;
+        (depth / self.pixels_per_tangent()).extend(0.0)
+    }
+
     /// Tangents (x, y at depth 1) of the four corners: left bottom, right bottom, right top, left top.
     pub fn corner_tangents(&self) -> [(f64, f64); 4] {
         [(self.left, self.bottom), (self.right, self.bottom), (self.right, self.top), (self.left, self.top)]

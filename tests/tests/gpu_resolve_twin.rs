@@ -1,7 +1,7 @@
 //! The mask pass and the material function equal the f64 twin wherever the twin itself is sure: where moving the point
 //! by 5e-3 of a texel, the accuracy promised for resolve coordinates, does not change its answer.
 
-use cssm_core::case::{Bias, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
+use cssm_core::case::{Bias, Filter, Kernel, LightCase, MaskDepth, MaskNormal, PcfSize, Resolve, Source};
 use cssm_core::schema::{Value, Word};
 use cssm_core::{SceneBounds, View, plan};
 use cssm_runtime::Options;
@@ -75,6 +75,46 @@ fn every_filter_and_bias_resolves_as_the_twin_does() {
                 assert!(score.mask_wrong * 2000 <= score.judged, "{what}");
                 assert!(score.material_wrong * 2000 <= score.judged, "{what}");
             }
+        }
+    }
+}
+
+/// Filters whose kernels two facets of a plan may span by different numbers of texels.
+const WIDE: [Filter; 7] = [
+    Filter::Pcf { size: PcfSize::Three, kernel: Kernel::Texels },
+    Filter::Pcf { size: PcfSize::Seven, kernel: Kernel::Texels },
+    Filter::Pcf { size: PcfSize::Five, kernel: Kernel::Metres(0.4) },
+    Filter::Pcf { size: PcfSize::Three, kernel: Kernel::Pixels(2.0) },
+    Filter::Pcf { size: PcfSize::Seven, kernel: Kernel::Pixels(6.0) },
+    Filter::Pcss { source: Source::Angle(2.0), reach_texels: 5 },
+    Filter::Pcss { source: Source::Angle(6.0), reach_texels: 8 },
+];
+
+#[test]
+fn wide_filters_resolve_as_the_twins_do() {
+    let (gpu, yard) = (exclusive(), Yard::new());
+    let seen: Vec<_> =
+        views(SIZE).iter().map(|view| (*view, Visible::new(view, &yard.triangles_from_eye(view)))).collect();
+    let biases = [Bias::ReceiverPlane, Bias::Constant { along_light_metres: 0.05 }];
+    for (number, filter) in WIDE.into_iter().enumerate() {
+        for (turn, technique) in techniques().into_iter().enumerate() {
+            let bias = biases[(number + turn) % biases.len()];
+            let case = case(technique, filter, bias, MaskDepth::Linear, MaskNormal::Texture);
+            let (view, visible) = &seen[(number + turn) % seen.len()];
+            let drawn = draw(&gpu, &yard, &case, view, turn, visible);
+            let judged = |filter: Filter| {
+                let mut score = Score::default();
+                score.add(&LightCase { filter, ..case.clone() }, &drawn, visible);
+                score
+            };
+            let score = judged(filter);
+            let what = format!("{} {filter:?} {bias:?}: {score:?}", case.technique.name);
+            assert!(score.judged > 10_000 && score.shadowed > 100, "{what}");
+            assert!(score.mask_wrong * 2000 <= score.judged, "{what}");
+            assert!(score.material_wrong * 2000 <= score.judged, "{what}");
+
+            // A twin with another kernel disagrees.
+            assert!(judged(Filter::Gather2x2).mask_wrong > 20 + 5 * score.mask_wrong, "{what}");
         }
     }
 }

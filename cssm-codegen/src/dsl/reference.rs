@@ -120,6 +120,8 @@ fn takes(kind: &Kind) -> String {
     match kind {
         Kind::Number { unit: Unit::Length, .. } => format!("{kind}, in `mm`, `cm`, `m` or `km`"),
         Kind::Number { unit: Unit::Texels, .. } => format!("{kind}, written `texel` or `texels`"),
+        Kind::Number { unit: Unit::Degrees, .. } => format!("{kind}, written `deg`, `degree` or `degrees`"),
+        Kind::Number { unit: Unit::Pixels, .. } => format!("{kind}, written `px`, `pixel` or `pixels`"),
         kind => kind.to_string(),
     }
 }

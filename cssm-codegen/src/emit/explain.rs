@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use cssm_core::LightCase;
-use cssm_core::case::{Casters, Filter, MaskDepth, MaskNormal, Resolve, Stretch};
+use cssm_core::case::{Casters, Filter, Kernel, MaskDepth, MaskNormal, Resolve, Stretch};
 use cssm_core::distribution::RemapKind;
 use cssm_core::light::LightPosition;
 use cssm_core::schema::Word;
@@ -252,6 +252,9 @@ fn fetches(case: &LightCase, table: &CaseTable, out: &mut Out) {
         Filter::None => "load of 1 texel",
         Filter::Hardware2x2 => "comparison of 4 texels",
         Filter::Gather2x2 => "gather of 4 texels",
+        Filter::Pcf { kernel: Kernel::Texels, .. } => "gathers of 4 texels",
+        Filter::Pcf { .. } => "gathers of 4 texels, at most",
+        Filter::Pcss { .. } => "gathers of 4 texels to find casters and to blend, at most",
     };
     let map = format!("map {} ({how})", table.fetches_per_pixel);
     for interface in &case.resolve {

@@ -5,8 +5,8 @@ use std::process::Command;
 
 use cssm_core::LightCase;
 use cssm_core::case::{
-    Bias, CaseError, Casters, DominantPlane, Filter, LightCaseBuilder, LightKind, MaskDepth, MaskNormal,
-    Resolve, Stretch,
+    Axes, Bias, CaseError, Casters, DominantPlane, Filter, Kernel, LightCaseBuilder, LightKind, MaskDepth,
+    MaskNormal, PcfSize, Resolve, Source, Stretch,
 };
 use cssm_core::schema::Word;
 use cssm_core::table::{CaseTable, ShaderKind};
@@ -74,11 +74,21 @@ fn resolve_cases() -> Vec<LightCase> {
         Bias::WorldTexel { a_metres: 0.01, b_texels: 1.5 },
         Bias::ReceiverPlane,
     ];
-    let filters = [Filter::None, Filter::Hardware2x2, Filter::Gather2x2];
+    let narrow = [Filter::None, Filter::Hardware2x2, Filter::Gather2x2];
     let mut cases = Vec::new();
     for bias in biases {
-        cases.extend(local_and_bent(&|| LightCase::builder("Reference").bias(bias)));
-        for filter in filters {
+        let case = |light| LightCase::builder("Reference").light(light).bias(bias);
+        cases.extend(local_and_bent(&case));
+        for index in 0..WIDE_FILTERS {
+            let case = |light| case(light).filter(wide_filters(light)[index]);
+            let directional = || case(LightKind::Directional);
+            cases.extend(local_and_bent(&case));
+            cases.push(directional().axes(Axes::World).build());
+            cases.push(
+                directional().shadow_distance_metres(1000.0).technique(Word::plain("standard")).build(),
+            );
+        }
+        for filter in narrow {
             let normals = match bias.reads_normal() {
                 true => &[MaskNormal::Reconstructed, MaskNormal::Texture][..],
                 false => &[MaskNormal::Reconstructed],
@@ -100,11 +110,26 @@ fn resolve_cases() -> Vec<LightCase> {
     cases.into_iter().collect::<Result<_, _>>().unwrap()
 }
 
+/// How many of [`wide_filters`] there are.
+const WIDE_FILTERS: usize = 4;
+
+/// Filters that find the width of their kernel, one for each way to find it.
+fn wide_filters(light: LightKind) -> [Filter; WIDE_FILTERS] {
+    let source = if light.is_local() { Source::Radius(0.05) } else { Source::Angle(0.53) };
+    [
+        Filter::Pcf { size: PcfSize::Three, kernel: Kernel::Texels },
+        Filter::Pcf { size: PcfSize::Five, kernel: Kernel::Metres(0.05) },
+        Filter::Pcf { size: PcfSize::Seven, kernel: Kernel::Pixels(3.0) },
+        Filter::Pcss { source, reach_texels: 5 },
+    ]
+}
+
 /// Local lights, bent rows and dominant planes, in every way that the shaders tell apart.
-fn local_and_bent(case: &dyn Fn() -> LightCaseBuilder) -> Vec<Result<LightCase, Vec<CaseError>>> {
+fn local_and_bent(of: &dyn Fn(LightKind) -> LightCaseBuilder) -> Vec<Result<LightCase, Vec<CaseError>>> {
     let stretch = Stretch::Exact { bound_texels: 0.25 };
     let plane = DominantPlane { share: 0.25, thickness_metres: 1.0 };
-    let omni = || case().light(LightKind::Omni);
+    let case = || of(LightKind::Directional);
+    let omni = || of(LightKind::Omni);
     let bent = |case: LightCaseBuilder, distribution: &'static str| {
         case.configurations(&["one_plane"]).distribution(Word::plain(distribution)).stretch(stretch)
     };
@@ -113,7 +138,7 @@ fn local_and_bent(case: &dyn Fn() -> LightCaseBuilder) -> Vec<Result<LightCase, 
         omni().dominant_plane(plane).build(),
         omni().configurations(&["one_plane"]).build(),
         omni().configurations(&["four_plane"]).build(),
-        case().light(LightKind::Spot).configurations(&["light_projection"]).build(),
+        of(LightKind::Spot).configurations(&["light_projection"]).build(),
         bent(case(), "perspective").build(),
         bent(case(), "perspective").dominant_plane(plane).build(),
         bent(case(), "logarithmic").dominant_plane(plane).build(),

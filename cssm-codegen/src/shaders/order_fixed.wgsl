@@ -14,3 +14,8 @@ fn lit_by(reference: f32, stored: f32) -> f32 {
 fn lit_by_four(references: vec4<f32>, stored: vec4<f32>) -> vec4<f32> {
     return select(vec4<f32>(0.0), vec4<f32>(1.0), references <= stored);
 }
+
+/// How far each of four stored depths lies before its reference.
+fn before_by_four(references: vec4<f32>, stored: vec4<f32>) -> vec4<f32> {
+    return references - stored;
+}

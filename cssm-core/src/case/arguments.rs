@@ -1,8 +1,8 @@
 //! Between a light case and the arguments of its declaration, both ways.
 
 use super::{
-    Axes, Bias, Casters, DepthFormat, DominantPlane, FarKind, Filter, LightCase, LightKind, MapSpec,
-    MaskDepth, MaskNormal, Resolve, Stretch,
+    Axes, Bias, Casters, DepthFormat, DominantPlane, FarKind, LightCase, LightKind, MapSpec, MaskDepth,
+    MaskNormal, Resolve, Stretch,
 };
 use crate::schema::{Arguments, Value, Word};
 
@@ -32,7 +32,7 @@ impl LightCase {
             ("stretch", Some(Value::Word(self.stretch.word()))),
             ("dominant_plane", Some(Value::Word(DominantPlane::word(self.dominant_plane)))),
             ("map", Some(Value::Group(map))),
-            ("filter", Some(Value::Word(Word::plain(self.filter.name())))),
+            ("filter", Some(Value::Word(self.filter.word()))),
             ("bias", Some(Value::Word(self.bias.word()))),
             ("casters", Some(Value::Word(Word::plain(self.casters.name())))),
             ("axes", Some(Value::Word(Word::plain(self.axes.name())))),
@@ -104,16 +104,6 @@ impl DominantPlane {
         let word = word.filter(|word| word.name == "share")?;
         let number = |name: &str| word.arguments.number(name);
         Some(Self { share: number("share")?, thickness_metres: number("thickness")? })
-    }
-}
-
-impl Filter {
-    pub(super) fn of_word(word: Option<&Word>) -> Self {
-        match word.map(|word| word.name) {
-            Some("none") => Self::None,
-            Some("hardware_2x2") => Self::Hardware2x2,
-            _ => Self::Gather2x2,
-        }
     }
 }
 

@@ -112,7 +112,7 @@ impl LightCaseBuilder {
 
     /// How texels become visibility.
     pub fn filter(self, filter: Filter) -> Self {
-        self.set("filter", Value::Word(Word::plain(filter.name())))
+        self.set("filter", Value::Word(filter.word()))
     }
 
     /// How bias is found.

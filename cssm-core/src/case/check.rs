@@ -1,6 +1,7 @@
 //! From arguments to a light case: the schema's checks, defaults, contradictions.
 
 use super::arguments::DEFAULT_BOUND;
+use super::filter::misplaced_extent;
 use super::names::{default_prefix, is_camel_case, is_prefix, upper_camel};
 use super::{
     Axes, Bias, CaseError, Casters, DominantPlane, FIELDS, FarKind, Filter, LightCase, LightKind, MapSpec,
@@ -46,6 +47,7 @@ pub(super) fn related(field: &str) -> &'static [&'static str] {
         "distribution" => &["technique", "configurations"],
         "technique" => &["view", "shadow_distance", "bounds"],
         "map.gutter" => &["filter"],
+        "filter.pcss.angle" | "filter.pcss.radius" => &["light"],
         "resolve.mask.normal" => &["bias"],
         "prefix" => &["name"],
         _ => &[],
@@ -145,7 +147,7 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
         stretch,
         dominant_plane: DominantPlane::of_word(arguments.word("dominant_plane")),
         map: MapSpec::of_group(arguments.group("map")),
-        filter: Filter::of_word(arguments.word("filter")),
+        filter: Filter::of_word(arguments.word("filter"), light),
         bias: Bias::of_word(arguments.word("bias")),
         casters: Casters::of_word(arguments.word("casters")),
         axes: Axes::of_word(arguments.word("axes")),
@@ -158,13 +160,21 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
     if !spec.fits_infinity {
         errors.extend(infinite_receivers(&case));
     }
+    if let Some((misplaced, instead)) = misplaced_extent(arguments.word("filter"), light) {
+        errors.push(error(
+            &format!("filter.pcss.{misplaced}"),
+            format!("`{misplaced}` is declared, but the light is of kind `{}`", light.name()),
+            format!("give `{instead}`, or leave it out"),
+        ));
+    }
     let reach = case.filter.radius_texels();
     if let Some(gutter) = case.map.gutter.filter(|gutter| *gutter < reach) {
         let filter = case.filter.name();
+        let plural = if reach == 1 { "" } else { "s" };
         errors.push(error(
             "map.gutter",
             format!(
-                "a gutter of {gutter} texels is narrower than the reach of filter `{filter}`, {reach} texel"
+                "a gutter of {gutter} texels is narrower than the reach of filter `{filter}`, {reach} texel{plural}"
             ),
             format!("use `auto` or at least {reach}"),
         ));

@@ -1,5 +1,6 @@
 //! The schema of a light case: every field with its default.
 
+use super::filter::FILTERS;
 use crate::distribution;
 use crate::schema::{Choice, Default, Field, Kind, Unit};
 use crate::technique;
@@ -178,11 +179,7 @@ pub const FIELDS: &[Field] = &[
     Field {
         name: "filter",
         summary: "how texels become visibility",
-        kind: Kind::Choice(&[
-            Choice::plain("none", "nearest texel, hard edge"),
-            Choice::plain("hardware_2x2", "comparison sampler: one reference for four texels"),
-            Choice::plain("gather_2x2", "four texels, each compared with its own reference"),
-        ]),
+        kind: Kind::Choice(FILTERS),
         default: Default::Value("gather_2x2"),
     },
     Field {

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::fitted::map_area;
 use super::window::Window;
 use super::{casters, region};
-use crate::case::{Bias, DepthFormat, LightCase};
+use crate::case::{Bias, DepthFormat, Filter, LightCase};
 use crate::depth::{DepthNeeds, depth_row};
 use crate::facet::{Facet, FacetRows, Tile};
 use crate::footprint::quantile;
@@ -17,9 +17,9 @@ use crate::technique::Situation;
 const FLOAT_ROUNDING: f64 = 3e-7;
 /// Part of the smaller texel axis by which an exact receiver plane is lowered.
 const RECEIVER_PLANE_TEXELS: f64 = 0.5;
-/// Larger texel axes kept free before and behind the receivers, so that reference planes extended to neighbouring
-/// texels do not clamp.
-const PLANE_EXTENSION_TEXELS: f64 = 2.0;
+/// Larger texel axes kept free before and behind the receivers at least, so that reference planes extended to
+/// neighbouring texels do not clamp.
+const PLANE_EXTENSION_TEXELS: u32 = 2;
 /// Receivers so deep that the whole facet spans less than 1 / this many pixels at their depth need no depth of their own:
 /// they lie that close to the light's own direction, or its opposite, as seen from the eye.
 const FARTHEST_PIXELS: f64 = 2.0;
@@ -54,7 +54,8 @@ pub(super) fn finish(
 
     // Measure texels across the light, per w.
     let texels = TexelsPerW::measure(&rows, &tile, &window.samples);
-    let margin = PLANE_EXTENSION_TEXELS * texels.major + bias_metres_per_w(situation.case, &texels, window);
+    let extension = PLANE_EXTENSION_TEXELS.max(situation.case.filter.radius_texels() + 1);
+    let margin = f64::from(extension) * texels.major + bias_metres_per_w(situation.case, &texels, window);
     let receivers = &window.draft.receivers;
     let width = texels.major * f64::from(tile.width.max(tile.height));
     let farthest = FARTHEST_PIXELS * situation.view.pixels_per_tangent() * width;
@@ -63,6 +64,7 @@ pub(super) fn finish(
         receivers,
         samples: &window.samples,
         margin_metres_per_w: margin,
+        headroom_per_w: headroom_per_w(situation.case, &texels),
         near_w: near_w(&rows, window, situation),
         farthest_metres_per_w: farthest,
         order: rules.order,
@@ -130,6 +132,15 @@ impl TexelsPerW {
             if values.is_empty() { 0.0 } else { quantile(&values, 0.5) }
         };
         Self { major: median(majors), minor: median(minors) }
+    }
+}
+
+/// Depth kept before the receivers for the casters of soft shadows: those beyond throw edges as wide as the widest kernel
+/// wherever they are, so that casters at the near end of depth may share it.
+fn headroom_per_w(case: &LightCase, texels: &TexelsPerW) -> f64 {
+    match case.filter {
+        Filter::Pcss { source, reach_texels } => f64::from(reach_texels) * texels.major / source.radius(),
+        _ => 0.0,
     }
 }
 

@@ -61,6 +61,7 @@ impl ShadowPlan {
 
         self.eye_world = view.eye_world;
         self.camera_from_world = view.camera_from_world;
+        self.pixel_metres = view.pixel_metres();
         self.light = self.basis.light.homogeneous(view.eye_world);
         let light_camera = (view.camera_from_world * self.light.truncate()).extend(self.light.w);
         self.shear = shear(view, light_camera, self.basis.follows_camera);

@@ -93,7 +93,8 @@ impl fmt::Display for Kind {
             }
             Self::Number { min, max, open, unit } => {
                 let noun = match unit {
-                    Unit::None | Unit::Texels => "a number",
+                    Unit::None | Unit::Texels | Unit::Pixels => "a number",
+                    Unit::Degrees => "an angle",
                     Unit::Length => "a length",
                 };
                 match (max.is_finite(), open) {

@@ -18,6 +18,16 @@ pub struct Constant {
 pub enum ConstantKind {
     /// Width and height of the map in texels.
     MapSize,
+    /// Gathers along each axis of filters that read a fixed square of texels.
+    Gathers,
+    /// Half the widest kernel of the filter, texels.
+    WidestKernel,
+    /// Half the width of the filter's kernel, metres across the light.
+    KernelMetres,
+    /// Half the width of the filter's kernel, screen pixels.
+    KernelPixels,
+    /// Radius of the light: at a metre's distance for a directional light, in metres for a local one.
+    LightRadius,
     /// Sectors around the eye.
     Sectors,
     /// Bands in each sector.
@@ -43,6 +53,11 @@ impl ConstantKind {
     pub const fn name(self) -> &'static str {
         match self {
             Self::MapSize => "MAP_SIZE",
+            Self::Gathers => "GATHERS",
+            Self::WidestKernel => "WIDEST_KERNEL",
+            Self::KernelMetres => "KERNEL_METRES",
+            Self::KernelPixels => "KERNEL_PIXELS",
+            Self::LightRadius => "LIGHT_RADIUS",
             Self::Sectors => "SECTORS",
             Self::Bands => "BANDS",
             Self::ThresholdVectors => "THRESHOLD_VECTORS",
@@ -59,6 +74,13 @@ impl ConstantKind {
     pub const fn summary(self) -> &'static str {
         match self {
             Self::MapSize => "Width and height of the map in texels.",
+            Self::Gathers => "Gathers along each axis.",
+            Self::WidestKernel => "Half the widest kernel in texels.",
+            Self::KernelMetres => "Half the width of the kernel, metres across the light.",
+            Self::KernelPixels => "Half the width of the kernel in screen pixels.",
+            Self::LightRadius => {
+                "Radius of the light: at a metre's distance for a directional light, in metres for a local one."
+            }
             Self::Sectors => "Sectors around the eye.",
             Self::Bands => "Bands of distance in each sector.",
             Self::ThresholdVectors => "Vectors of four band limits in each sector.",

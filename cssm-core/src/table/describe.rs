@@ -6,7 +6,7 @@ use super::{
     BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantKind, ConstantValue, FieldType,
     GroupContent, Meaning, Pass, Record, RecordField, RecordKind, Resource, ShaderKind,
 };
-use crate::case::{Bias, Casters, Filter, LightCase, MaskDepth, MaskNormal, Resolve, Stretch};
+use crate::case::{Bias, Casters, Filter, Kernel, LightCase, MaskDepth, MaskNormal, Resolve, Stretch};
 use crate::distribution::RemapKind;
 use crate::facet::FacetShape;
 
@@ -69,12 +69,27 @@ impl CaseTable {
             may_reverse_depth: case.may_reverse_depth(),
             axes: case.axes,
             shears: case.shears(),
-            fetches_per_pixel: 1,
+            fetches_per_pixel: fetches_per_pixel(case.filter),
             constants: constants(&names, case).into(),
             records: records.into(),
             groups: groups.into(),
             passes: passes.into(),
             shaders: Cow::Borrowed(&[]),
+        }
+    }
+}
+
+/// Texture fetch instructions of the map for one receiver, at most.
+const fn fetches_per_pixel(filter: Filter) -> u32 {
+    match filter {
+        Filter::None | Filter::Hardware2x2 | Filter::Gather2x2 => 1,
+        Filter::Pcf { .. } => {
+            let gathers = filter.texels_across() / 2;
+            gathers * gathers
+        }
+        Filter::Pcss { .. } => {
+            let gathers = filter.texels_across().div_ceil(2);
+            2 * gathers * gathers
         }
     }
 }
@@ -139,6 +154,21 @@ fn constants(names: &Names, case: &LightCase) -> Vec<Constant> {
     if case.filter != Filter::None {
         let size = [case.map.width as f32, case.map.height as f32];
         push(ConstantKind::MapSize, ConstantValue::Vec2(size));
+    }
+    if let Filter::Pcf { size, kernel } = case.filter {
+        if kernel == Kernel::Texels {
+            push(ConstantKind::Gathers, ConstantValue::U32(case.filter.texels_across() / 2));
+        }
+        push(ConstantKind::WidestKernel, ConstantValue::F32(0.5 * size.texels() as f32));
+        match kernel {
+            Kernel::Texels => {}
+            Kernel::Metres(width) => push(ConstantKind::KernelMetres, ConstantValue::F32(0.5 * width as f32)),
+            Kernel::Pixels(width) => push(ConstantKind::KernelPixels, ConstantValue::F32(0.5 * width as f32)),
+        }
+    }
+    if let Filter::Pcss { source, reach_texels } = case.filter {
+        push(ConstantKind::WidestKernel, ConstantValue::F32(reach_texels as f32));
+        push(ConstantKind::LightRadius, ConstantValue::F32(source.radius() as f32));
     }
     if shape.sectors > 1 {
         push(ConstantKind::Sectors, ConstantValue::U32(shape.sectors));
@@ -231,11 +261,14 @@ fn facet_record(names: &Names, case: &LightCase) -> Record {
     push_rows(&mut layout);
     layout.push("texel_from_ndc", Meaning::TexelFromNdc, FieldType::Vec4);
     layout.push("texel_limits", Meaning::TexelLimits, FieldType::Vec4);
+    let biased_by_metres =
+        matches!(case.bias, Bias::Constant { .. } | Bias::Slope { .. } | Bias::WorldTexel { .. });
+    if biased_by_metres || case.filter.measures_depth() {
+        layout.push("depth_per_metre", Meaning::DepthPerMetre, FieldType::F32);
+    }
     match case.bias {
-        Bias::None => {}
-        Bias::Constant { .. } => layout.push("depth_per_metre", Meaning::DepthPerMetre, FieldType::F32),
+        Bias::None | Bias::Constant { .. } => {}
         Bias::Slope { .. } | Bias::WorldTexel { .. } => {
-            layout.push("depth_per_metre", Meaning::DepthPerMetre, FieldType::F32);
             layout.push("texel_metres_per_w", Meaning::TexelMetresPerW, FieldType::F32);
         }
         Bias::ReceiverPlane => {
@@ -278,6 +311,9 @@ fn shadow_record(names: &Names, case: &LightCase, facet_bytes: u32) -> Record {
     }
     if case.shears() {
         layout.push("shear", Meaning::Shear, FieldType::Vec4);
+    }
+    if case.filter.measures_pixels() {
+        layout.push("pixel_metres", Meaning::PixelMetres, FieldType::Vec4);
     }
     if case.may_reverse_depth() {
         layout.push("depth_sign", Meaning::DepthSign, FieldType::F32);
@@ -386,7 +422,7 @@ fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32)
     let sampler = match case.filter {
         Filter::None => None,
         Filter::Hardware2x2 => Some(BindingKind::ComparisonSampler),
-        Filter::Gather2x2 => Some(BindingKind::GatherSampler),
+        Filter::Gather2x2 | Filter::Pcf { .. } | Filter::Pcss { .. } => Some(BindingKind::GatherSampler),
     };
     if let Some(kind) = sampler {
         bindings.push(Binding { binding: 2, name: names.value("map_sampler"), kind });

@@ -60,6 +60,7 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
                 let (leading, rest) = shear_parts(plan.shear);
                 put_row(&mut bytes, offset, DVec4::new(leading.x, leading.y, rest.x, rest.y));
             }
+            Meaning::PixelMetres => put_row(&mut bytes, offset, turned.row(plan.pixel_metres)),
             Meaning::DepthSign => put(&mut bytes, offset, sign as f32),
             Meaning::Facets => {
                 let Some(facet_record) = facet_record else { continue };

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::DepthMap;
+use super::{DepthMap, kernel};
 use crate::case::{Bias, Filter, LightCase, Stretch};
 use crate::distribution::RemapKind;
 use crate::facet::{Facet, FacetRows};
@@ -87,6 +87,24 @@ pub fn resolve(
             let upper = tap(0.0, 0.0) * (1.0 - weight.x) + tap(1.0, 0.0) * weight.x;
             let lower = tap(0.0, 1.0) * (1.0 - weight.x) + tap(1.0, 1.0) * weight.x;
             upper * (1.0 - weight.y) + lower * weight.y
+        }
+        Filter::Pcf { size, kernel } => {
+            let per_metre = kernel::texels_per_metre(&facet.tile, &gradients);
+            let pixel_metres = plan.pixel_metres.dot(point_from_eye.extend(1.0));
+            let widest = 0.5 * f64::from(size.texels());
+            let wanted = kernel::half_widths(kernel, widest, per_metre, pixel_metres);
+            let half_widths = wanted.min(kernel::room(&facet.tile, texel));
+            kernel::lit_in_box(texel, half_widths, |corner| lit_at(reference.at(corner + 0.5), corner))
+        }
+        Filter::Pcss { source, reach_texels } => {
+            let per_metre = kernel::texels_per_metre(&facet.tile, &gradients);
+            let soft = kernel::SoftEdge {
+                per_depth: per_metre * (source.radius() * gradients.w / facet.depth_per_metre),
+                widest: DVec2::splat(f64::from(reach_texels)).min(kernel::room(&facet.tile, texel)),
+            };
+            let before =
+                |corner: DVec2| reference.at(corner + 0.5).clamp(nearest, farthest) - sign * stored(corner);
+            soft.visibility(texel, reference.depth - nearest, before)
         }
     };
     Resolved { cell: index, texel, depth, visibility }

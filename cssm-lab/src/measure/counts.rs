@@ -59,7 +59,7 @@ pub(super) struct FrameCounts {
 impl StaticCounts {
     /// Counts of a generated table.
     pub(super) fn of(case: &LightCase, table: &CaseTable) -> Self {
-        let taps = (case.filter.radius_texels() + 1) * (case.filter.radius_texels() + 1);
+        let taps = case.filter.texels_across() * case.filter.texels_across();
         let map_texels = u64::from(case.map.width) * u64::from(case.map.height);
         let words = table.shaders.iter().map(|shader| shader.spirv.len() / WORD_BYTES);
         Self {

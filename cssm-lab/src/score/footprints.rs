@@ -82,12 +82,12 @@ impl Assignment {
             let Some((x, y)) = map_texel(facet, pixel.position) else {
                 continue;
             };
-            let taps = match filter {
-                Filter::None => [x.floor(), y.floor(), 1.0],
-                Filter::Hardware2x2 | Filter::Gather2x2 => [(x - 0.5).floor(), (y - 0.5).floor(), 2.0],
-            };
-            for tap in 0..(taps[2] * taps[2]) as u32 {
-                let (column, row) = (taps[0] + f64::from(tap % 2), taps[1] + f64::from(tap / 2));
+            let across = filter.texels_across();
+            let before = 0.5 * f64::from(across - 1);
+            let (first_column, first_row) = ((x - before).floor(), (y - before).floor());
+            for tap in 0..across * across {
+                let column = first_column + f64::from(tap % across);
+                let row = first_row + f64::from(tap / across);
                 if (0.0..f64::from(width)).contains(&column) && (0.0..f64::from(height)).contains(&row) {
                     read[row as usize * width as usize + column as usize] = true;
                 }

@@ -6,7 +6,7 @@
 
 use std::ops::AddAssign;
 
-use cssm_core::case::{Filter, MapSpec};
+use cssm_core::case::MapSpec;
 use cssm_core::{LightCase, ShadowPlan};
 
 use crate::sight::Sight;
@@ -37,10 +37,7 @@ impl Cost {
         sight: &Sight<'_>,
     ) -> Self {
         let visible = sight.frame.visible().count() as f64;
-        let texels = match case.filter {
-            Filter::None => 1.0,
-            Filter::Hardware2x2 | Filter::Gather2x2 => 4.0,
-        };
+        let texels = f64::from(case.filter.texels_across()).powi(2);
         Self {
             map_bytes: map_bytes(&case.map),
             triangles: casters.submitted(plan) as f64,

@@ -170,6 +170,9 @@ fn filters(case: &LightCase) -> Vec<Removal> {
         Filter::None => &[][..],
         Filter::Hardware2x2 => &[Filter::None][..],
         Filter::Gather2x2 => &[Filter::None, Filter::Hardware2x2][..],
+        Filter::Pcf { .. } | Filter::Pcss { .. } => {
+            &[Filter::None, Filter::Hardware2x2, Filter::Gather2x2][..]
+        }
     };
     let removal = |filter: &Filter| {
         let what = format!("filter {}, {} instead", case.filter.name(), filter.name());

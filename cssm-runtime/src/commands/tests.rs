@@ -70,6 +70,7 @@ fn plan(facets: Vec<Facet>) -> ShadowPlan {
         eye_world: EYE,
         camera_from_world: DMat3::IDENTITY,
         shear: DVec2::ZERO,
+        pixel_metres: DVec4::ZERO,
         depth_order: DepthOrder::Standard,
         light: DVec4::Z,
         map_size_texels: (100, 20),

@@ -84,6 +84,7 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
         eye_world: view.eye_world,
         camera_from_world: view.camera_from_world,
         shear: DVec2::ZERO,
+        pixel_metres: view.pixel_metres(),
         depth_order: DepthOrder::Standard,
         light: DVec4::Y,
         map_size_texels: (MAP_SIDE, MAP_SIDE),

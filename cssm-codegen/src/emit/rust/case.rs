@@ -1,7 +1,7 @@
 //! The declaration as a Rust value: what was checked when the module was generated needs no check when it runs.
 
 use cssm_core::LightCase;
-use cssm_core::case::{Bias, DominantPlane, MapSpec, Resolve};
+use cssm_core::case::{Bias, DominantPlane, Filter, Kernel, MapSpec, Resolve, Source};
 use cssm_core::schema::{Arguments, Value, Word};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -43,7 +43,7 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
     let stretch = stretch_value(*stretch);
     let dominant_plane = option(dominant_plane.map(dominant_value));
     let map = map_spec(map);
-    let filter = variant("Filter", filter);
+    let filter = filter_value(filter);
     let bias = bias_value(bias);
     let (casters, axes) = (variant("Casters", casters), variant("Axes", axes));
     let resolve = resolve.iter().map(interface);
@@ -88,6 +88,47 @@ fn map_spec(map: &MapSpec) -> TokenStream {
 fn dominant_value(plane: DominantPlane) -> TokenStream {
     let (share, thickness_metres) = (real(plane.share), real(plane.thickness_metres));
     quote!(DominantPlane { share: #share, thickness_metres: #thickness_metres })
+}
+
+fn filter_value(filter: &Filter) -> TokenStream {
+    match *filter {
+        Filter::Pcf { size, kernel } => {
+            let (size, kernel) = (variant("PcfSize", &size), kernel_value(kernel));
+            quote!(Filter::Pcf { size: #size, kernel: #kernel })
+        }
+        Filter::Pcss { source, reach_texels } => {
+            let (source, reach_texels) = (source_value(source), number(reach_texels));
+            quote!(Filter::Pcss { source: #source, reach_texels: #reach_texels })
+        }
+        Filter::None | Filter::Hardware2x2 | Filter::Gather2x2 => variant("Filter", filter),
+    }
+}
+
+fn kernel_value(kernel: Kernel) -> TokenStream {
+    match kernel {
+        Kernel::Texels => quote!(Kernel::Texels),
+        Kernel::Metres(width) => {
+            let width = real(width);
+            quote!(Kernel::Metres(#width))
+        }
+        Kernel::Pixels(width) => {
+            let width = real(width);
+            quote!(Kernel::Pixels(#width))
+        }
+    }
+}
+
+fn source_value(source: Source) -> TokenStream {
+    match source {
+        Source::Angle(degrees) => {
+            let degrees = real(degrees);
+            quote!(Source::Angle(#degrees))
+        }
+        Source::Radius(metres) => {
+            let metres = real(metres);
+            quote!(Source::Radius(#metres))
+        }
+    }
 }
 
 fn bias_value(bias: &Bias) -> TokenStream {

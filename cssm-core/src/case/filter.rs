@@ -1,0 +1,296 @@
+//! How texels become visibility: the filters and the widths of their kernels.
+
+use super::LightKind;
+use crate::schema::{Choice, Default, Field, Kind, Unit, Value, Word};
+
+/// How texels become visibility.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Filter {
+    /// Nearest texel, hard edge.
+    None,
+    /// Comparison sampler with linear filtering: one reference for four texels.
+    Hardware2x2,
+    /// Gather of four texels, each compared with its own reference, blended bilinearly.
+    Gather2x2,
+    /// Every texel that a box around the receiver touches, each compared with its own reference and weighed by its exact
+    /// overlap with the box.
+    Pcf {
+        /// Widest the box may be.
+        size: PcfSize,
+        /// How wide it is.
+        kernel: Kernel,
+    },
+    /// A box as wide as the edge of the shadow that a light with an extent throws, by the distance between the receiver and
+    /// the casters around it (percentage-closer soft shadows, Fernando 2005), all in metres, whatever the facet's warp.
+    Pcss {
+        /// Extent of the light.
+        source: Source,
+        /// Half the widest box, for the search of casters and for the edge alike.
+        reach_texels: u32,
+    },
+}
+
+/// Extent of a light that throws soft shadows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Source {
+    /// Angular diameter of a directional light in degrees; the sun's is 0.53.
+    Angle(f64),
+    /// Radius of a local light in metres.
+    Radius(f64),
+}
+
+impl Source {
+    /// Radius of the light: at a metre's distance for a directional light, in metres for a local one.
+    pub fn radius(self) -> f64 {
+        match self {
+            Self::Angle(degrees) => libm::tan(0.5 * degrees.to_radians()),
+            Self::Radius(metres) => metres,
+        }
+    }
+}
+
+/// Widest boxes of [`Filter::Pcf`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PcfSize {
+    /// 3 x 3 texels, four gathers.
+    Three,
+    /// 5 x 5 texels, nine gathers.
+    Five,
+    /// 7 x 7 texels, sixteen gathers.
+    Seven,
+}
+
+impl PcfSize {
+    /// Every size.
+    pub const ALL: [Self; 3] = [Self::Three, Self::Five, Self::Seven];
+
+    /// Texels along each side.
+    pub const fn texels(self) -> u32 {
+        match self {
+            Self::Three => 3,
+            Self::Five => 5,
+            Self::Seven => 7,
+        }
+    }
+}
+
+/// How wide a box is, along each axis of the map by itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kernel {
+    /// As many texels as the filter takes: its shadows are the softer the coarser the map.
+    Texels,
+    /// A distance across the light: the softness belongs to the scene, whatever facet a receiver has. At least a texel, at
+    /// most what the filter takes.
+    Metres(f64),
+    /// A distance across the light that spans so many screen pixels at the receiver's depth. At least a texel, at most
+    /// what the filter takes.
+    Pixels(f64),
+}
+
+impl Filter {
+    /// Name in declarations, tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Hardware2x2 => "hardware_2x2",
+            Self::Gather2x2 => "gather_2x2",
+            Self::Pcf { size: PcfSize::Three, .. } => "pcf_3x3",
+            Self::Pcf { size: PcfSize::Five, .. } => "pcf_5x5",
+            Self::Pcf { size: PcfSize::Seven, .. } => "pcf_7x7",
+            Self::Pcss { .. } => "pcss",
+        }
+    }
+
+    /// Distance in texels, rounded up, from a receiver to the farthest point of the map that its visibility depends on:
+    /// half the widest kernel.
+    pub const fn radius_texels(self) -> u32 {
+        match self {
+            Self::None => 0,
+            Self::Hardware2x2 | Self::Gather2x2 => 1,
+            Self::Pcf { size, .. } => size.texels().div_ceil(2),
+            Self::Pcss { reach_texels, .. } => reach_texels,
+        }
+    }
+
+    /// Texels along each axis that the visibility of one receiver may depend on.
+    pub const fn texels_across(self) -> u32 {
+        match self {
+            Self::None => 1,
+            Self::Hardware2x2 | Self::Gather2x2 => 2,
+            Self::Pcf { size, .. } => size.texels() + 1,
+            Self::Pcss { reach_texels, .. } => 2 * reach_texels + 1,
+        }
+    }
+
+    /// Whether the filter has a kernel of a width that it finds receiver by receiver.
+    pub const fn is_wide(self) -> bool {
+        matches!(self, Self::Pcf { .. } | Self::Pcss { .. })
+    }
+
+    /// Whether the kernel's width is a distance, so that the filter must know how large texels are.
+    pub const fn measures_texels(self) -> bool {
+        matches!(self, Self::Pcf { kernel: Kernel::Metres(_) | Kernel::Pixels(_), .. } | Self::Pcss { .. })
+    }
+
+    /// Whether the filter must know how deep a metre along the light is.
+    pub const fn measures_depth(self) -> bool {
+        matches!(self, Self::Pcss { .. })
+    }
+
+    /// Whether the kernel's width is a number of screen pixels.
+    pub const fn measures_pixels(self) -> bool {
+        matches!(self, Self::Pcf { kernel: Kernel::Pixels(_), .. })
+    }
+
+    pub(super) fn word(self) -> Word {
+        match self {
+            Self::Pcf { kernel, .. } => Word::with(self.name(), [("kernel", Value::Word(kernel.word()))]),
+            Self::Pcss { source, reach_texels } => {
+                let source = match source {
+                    Source::Angle(degrees) => ("angle", Value::Number(degrees)),
+                    Source::Radius(metres) => ("radius", Value::Number(metres)),
+                };
+                Word::with(self.name(), [source, ("reach", Value::Count(reach_texels))])
+            }
+            Self::None | Self::Hardware2x2 | Self::Gather2x2 => Word::plain(self.name()),
+        }
+    }
+
+    /// Reads a word whose defaults are filled in, for a kind of light.
+    pub(super) fn of_word(word: Option<&Word>, light: LightKind) -> Self {
+        let Some(word) = word else { return Self::Gather2x2 };
+        let pcf = |size| Self::Pcf { size, kernel: Kernel::of_word(word.arguments.word("kernel")) };
+        match word.name {
+            "none" => Self::None,
+            "hardware_2x2" => Self::Hardware2x2,
+            "pcf_3x3" => pcf(PcfSize::Three),
+            "pcf_5x5" => pcf(PcfSize::Five),
+            "pcf_7x7" => pcf(PcfSize::Seven),
+            "pcss" => {
+                let number = |name: &str| word.arguments.number(name);
+                let source = if light.is_local() {
+                    Source::Radius(number("radius").unwrap_or(DEFAULT_RADIUS_METRES))
+                } else {
+                    Source::Angle(number("angle").unwrap_or(DEFAULT_ANGLE_DEGREES))
+                };
+                let reach_texels = word.arguments.count("reach").unwrap_or(DEFAULT_REACH_TEXELS);
+                Self::Pcss { source, reach_texels }
+            }
+            _ => Self::Gather2x2,
+        }
+    }
+}
+
+/// The extent of a light that a declared word gives although the light is of another kind: name, and what to write.
+pub(super) fn misplaced_extent(
+    word: Option<&Word>,
+    light: LightKind,
+) -> Option<(&'static str, &'static str)> {
+    let arguments = &word.filter(|word| word.name == "pcss")?.arguments;
+    let (misplaced, instead) = if light.is_local() { ("angle", "radius") } else { ("radius", "angle") };
+    arguments.get(misplaced).map(|_| (misplaced, instead))
+}
+
+/// Angular diameter where a declaration holds none: the sun's.
+const DEFAULT_ANGLE_DEGREES: f64 = 0.53;
+/// Radius where a declaration holds none.
+const DEFAULT_RADIUS_METRES: f64 = 0.05;
+/// Reach where a declaration holds none.
+const DEFAULT_REACH_TEXELS: u32 = 5;
+
+impl Kernel {
+    fn word(self) -> Word {
+        match self {
+            Self::Texels => Word::plain("texels"),
+            Self::Metres(width) => Word::with("metres", [("width", Value::Number(width))]),
+            Self::Pixels(width) => Word::with("pixels", [("width", Value::Number(width))]),
+        }
+    }
+
+    fn of_word(word: Option<&Word>) -> Self {
+        let width = |word: &Word| word.arguments.number("width").unwrap_or(0.0);
+        match word {
+            Some(word) if word.name == "metres" => Self::Metres(width(word)),
+            Some(word) if word.name == "pixels" => Self::Pixels(width(word)),
+            _ => Self::Texels,
+        }
+    }
+}
+
+const PCF: &[Field] = &[Field {
+    name: "kernel",
+    summary: "width of the box, along each axis of the map by itself",
+    kind: Kind::Choice(&[
+        Choice::plain("texels", "as many texels as the filter takes"),
+        Choice {
+            name: "metres",
+            summary: "a distance across the light, between one texel and what the filter takes",
+            arguments: &[Field {
+                name: "width",
+                summary: "the distance",
+                kind: Kind::Number { min: 0.0, max: 1e3, open: true, unit: Unit::Length },
+                default: Default::Value("5 cm"),
+            }],
+        },
+        Choice {
+            name: "pixels",
+            summary: "a distance across the light that spans so many screen pixels at the receiver's depth, between \
+                      one texel and what the filter takes",
+            arguments: &[Field {
+                name: "width",
+                summary: "the pixels",
+                kind: Kind::Number { min: 0.0, max: 1e3, open: true, unit: Unit::Pixels },
+                default: Default::Value("3 px"),
+            }],
+        },
+    ]),
+    default: Default::Value("texels"),
+}];
+
+const PCSS: &[Field] = &[
+    Field {
+        name: "angle",
+        summary: "angular diameter of a directional light",
+        kind: Kind::Number { min: 0.0, max: 45.0, open: true, unit: Unit::Degrees },
+        default: Default::Absent("the sun's, 0.53 degrees, where the light is directional"),
+    },
+    Field {
+        name: "radius",
+        summary: "radius of a local light",
+        kind: Kind::Number { min: 0.0, max: 1e3, open: true, unit: Unit::Length },
+        default: Default::Absent("5 cm where the light is local"),
+    },
+    Field {
+        name: "reach",
+        summary: "texels that shadows' edges may spread to either side; tiles have gutters of as many",
+        kind: Kind::Count { min: 1, max: 15 },
+        default: Default::Value("5"),
+    },
+];
+
+/// Filters in declarations.
+pub(super) const FILTERS: &[Choice] = &[
+    Choice::plain("none", "nearest texel, hard edge"),
+    Choice::plain("hardware_2x2", "comparison sampler: one reference for four texels"),
+    Choice::plain("gather_2x2", "four texels, each compared with its own reference"),
+    Choice {
+        name: "pcf_3x3",
+        summary: "a box of up to 3 x 3 texels, each with its own reference",
+        arguments: PCF,
+    },
+    Choice {
+        name: "pcf_5x5",
+        summary: "a box of up to 5 x 5 texels, each with its own reference",
+        arguments: PCF,
+    },
+    Choice {
+        name: "pcf_7x7",
+        summary: "a box of up to 7 x 7 texels, each with its own reference",
+        arguments: PCF,
+    },
+    Choice {
+        name: "pcss",
+        summary: "a box as wide as the light's extent makes the shadow's edge, in metres",
+        arguments: PCSS,
+    },
+];

@@ -34,6 +34,7 @@ pub use diagnostic::Diagnostic;
 pub use print::print;
 pub use reference::reference;
 pub use report::{Finding, Report};
+pub(crate) use suggest::nearest;
 
 use cssm_core::LightCase;
 use proc_macro2::{Span, TokenStream};

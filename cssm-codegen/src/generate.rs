@@ -136,8 +136,28 @@ fn shader(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> Result<Shade
 
 /// What the first lines of a module say: the case, its doc comment, what the module is, where it comes from.
 fn header(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> String {
-    let clipped = table.clips > 0;
-    let what = match (kind, clipped) {
+    let what = what_it_is(kind, table.clips > 0);
+    let mut text = format!("// {}: {what}\n", case.name);
+    let (of_what, axes) = match kind {
+        ShaderKind::Mask | ShaderKind::Function => ("Positions and normals", axes_summary(table.axes)),
+        _ => ("Positions", CAPTURE_AXES),
+    };
+    let _ = writeln!(text, "// {of_what} are relative to the eye, in {axes}.");
+    for doc in doc_lines(&case.doc) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{}", format!("// {doc}").trim_end());
+    }
+    let _ = writeln!(
+        text,
+        "// Generated from light case `{}`, {:016x}. Do not edit.\n",
+        case.name, table.fingerprint
+    );
+    text
+}
+
+/// What a shader does, in one sentence; `clipped`: facets share tiles.
+pub(crate) fn what_it_is(kind: ShaderKind, clipped: bool) -> &'static str {
+    match (kind, clipped) {
         (ShaderKind::Capture, false) => {
             "renders casters into one tile of the shadow map; needs unclipped depth."
         }
@@ -169,23 +189,7 @@ fn header(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> String {
         (ShaderKind::CaptureBentTested, _) => "decides casters with an alpha mask texel by texel.",
         (ShaderKind::Mask, _) => "turns the view's depth into a visibility mask.",
         (ShaderKind::Function, _) => "visibility of a point, for the engine's own materials.",
-    };
-    let mut text = format!("// {}: {what}\n", case.name);
-    let (of_what, axes) = match kind {
-        ShaderKind::Mask | ShaderKind::Function => ("Positions and normals", axes_summary(table.axes)),
-        _ => ("Positions", CAPTURE_AXES),
-    };
-    let _ = writeln!(text, "// {of_what} are relative to the eye, in {axes}.");
-    for doc in doc_lines(&case.doc) {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "{}", format!("// {doc}").trim_end());
     }
-    let _ = writeln!(
-        text,
-        "// Generated from light case `{}`, {:016x}. Do not edit.\n",
-        case.name, table.fingerprint
-    );
-    text
 }
 
 /// Axes of a capture in words.

@@ -91,6 +91,14 @@ pub(crate) fn with_entry_point(wgsl: &str, table: &CaseTable) -> String {
 
 /// Finds what compaction would remove.
 pub(crate) fn find_unused(module: &naga::Module) -> Result<(), JudgeError> {
+    match unused(module).into_iter().next() {
+        Some((what, name)) => Err(JudgeError::Unused(format!("{what} `{name}`"))),
+        None => Ok(()),
+    }
+}
+
+/// What compaction would remove, by kind and name.
+pub(crate) fn unused(module: &naga::Module) -> Vec<(&'static str, String)> {
     let mut kept = module.clone();
     compact(&mut kept, KeepUnused::No);
     let names = |module: &naga::Module| {
@@ -102,11 +110,7 @@ pub(crate) fn find_unused(module: &naga::Module) -> Result<(), JudgeError> {
         named.filter_map(|(what, name)| name.map(|name| (what, name))).collect::<Vec<_>>()
     };
     let kept = names(&kept);
-    let mut unused = names(module).into_iter().filter(|name| !kept.contains(name));
-    match unused.next() {
-        Some((what, name)) => Err(JudgeError::Unused(format!("{what} `{name}`"))),
-        None => Ok(()),
-    }
+    names(module).into_iter().filter(|name| !kept.contains(name)).collect()
 }
 
 fn find_entry_points(module: &naga::Module, table: &CaseTable, shader: ShaderKind) -> Result<(), JudgeError> {
@@ -144,7 +148,7 @@ fn find_bindings(module: &naga::Module, table: &CaseTable, shader: ShaderKind) -
 }
 
 /// Compares the records that the module declares with the table's sizes and offsets.
-fn find_records(module: &naga::Module, table: &CaseTable) -> Result<(), JudgeError> {
+pub(crate) fn find_records(module: &naga::Module, table: &CaseTable) -> Result<(), JudgeError> {
     let mut layouter = Layouter::default();
     layouter.update(module.to_ctx()).map_err(|error| JudgeError::Table(error.to_string()))?;
     for record in table.records.iter() {

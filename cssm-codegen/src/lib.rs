@@ -16,6 +16,11 @@
 //! result and holds it against the table: nothing unused, the same bindings, the same sizes and offsets. `spirv`
 //! writes the words with every option pinned.
 //!
+//! # Casters of the engine's own
+//!
+//! [`CasterEntry`] puts an engine's vertex function, and the function that tells holes, in the place of the fixed vertex
+//! of the capture shaders; faults are reported with places in the engine's source.
+//!
 //! # What it refuses to do
 //!
 //! No branch on a constant, no override, no preprocessor: what a case does not declare is not in its text. No
@@ -25,6 +30,7 @@
 pub mod dsl;
 
 mod build;
+mod caster_entry;
 mod compose;
 mod emit;
 mod generate;
@@ -37,6 +43,7 @@ mod wgsl;
 mod write;
 
 pub use build::{Build, BuildError};
+pub use caster_entry::{CasterEntry, CasterError, CasterFinding, CasterModule, CasterPlace, CasterReport};
 pub use compose::ComposeError;
 pub use emit::files::{GeneratedFile, Target};
 pub use generate::GenerateError;

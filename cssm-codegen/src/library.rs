@@ -37,6 +37,7 @@ library![
     "caster_cut",
     "caster_mask",
     "caster_depth",
+    "caster_placed",
     "capture",
     "capture_clipped",
     "capture_clamped",
@@ -184,6 +185,31 @@ pub(crate) fn pick(
     };
     let files = LIBRARY.iter().filter(|file| names.contains(&file.name)).copied().collect();
     (files, roots)
+}
+
+/// The files of a capture module around an engine's own functions, in the order of the library; what calls the engine is
+/// generated. `tested`: the engine tells holes; `has_rows`: rows take its positions to the capture's axes.
+pub(crate) fn caster_entry(
+    table: &CaseTable,
+    clamped: bool,
+    tested: bool,
+    has_rows: bool,
+) -> Vec<LibraryFile> {
+    let clipped = table.clips > 0;
+    let mut names = tile_position(table);
+    names.extend(has_rows.then_some("caster_placed"));
+    names.extend(clipped.then_some("caster_clips"));
+    names.extend((clipped && clamped).then_some("caster_cut"));
+    names.extend(clamped.then_some("caster_depth"));
+    if !tested {
+        names.push(match (clamped, clipped) {
+            (false, false) => "capture",
+            (false, true) => "capture_clipped",
+            (true, false) => "capture_clamped",
+            (true, true) => "capture_clamped_clipped",
+        });
+    }
+    LIBRARY.iter().filter(|file| names.contains(&file.name)).copied().collect()
 }
 
 /// Whether a capture shader clamps depth and cuts casters by itself, on every device.

@@ -14,7 +14,15 @@ const VERSION: (u8, u8) = (1, 3);
 /// Clip space stays as WGSL has it, y up: give Vulkan a viewport of negative height, as wgpu does. Indices carry no
 /// bounds checks, because the library keeps every index in range by construction, and there are no debug names.
 pub(crate) fn write(judged: &Judged) -> Result<Vec<u8>, JudgeError> {
-    let unchecked = BoundsCheckPolicy::Unchecked;
+    write_with(judged, BoundsCheckPolicy::Unchecked)
+}
+
+/// The same for modules that hold an engine's own functions: an index out of range reads the nearest element instead.
+pub(crate) fn write_checked(judged: &Judged) -> Result<Vec<u8>, JudgeError> {
+    write_with(judged, BoundsCheckPolicy::Restrict)
+}
+
+fn write_with(judged: &Judged, policy: BoundsCheckPolicy) -> Result<Vec<u8>, JudgeError> {
     let options = spv::Options {
         lang_version: VERSION,
         flags: spv::WriterFlags::empty(),
@@ -23,10 +31,10 @@ pub(crate) fn write(judged: &Judged) -> Result<Vec<u8>, JudgeError> {
         binding_map: spv::BindingMap::default(),
         capabilities: None,
         bounds_check_policies: BoundsCheckPolicies {
-            index: unchecked,
-            buffer: unchecked,
-            image_load: unchecked,
-            binding_array: unchecked,
+            index: policy,
+            buffer: policy,
+            image_load: policy,
+            binding_array: policy,
         },
         zero_initialize_workgroup_memory: spv::ZeroInitializeWorkgroupMemoryMode::None,
         force_loop_bounding: false,

@@ -60,14 +60,14 @@ pub(crate) fn tokens(text: &str) -> impl Iterator<Item = Token<'_>> {
         let run = |accept: fn(char) -> bool| rest.find(|letter| !accept(letter)).unwrap_or(rest.len());
         let (kind, length) = if first.is_whitespace() {
             (TokenKind::Space, run(char::is_whitespace))
-        } else if first.is_ascii_alphabetic() || first == '_' {
-            (TokenKind::Word, run(|letter| letter.is_ascii_alphanumeric() || letter == '_'))
+        } else if first.is_alphabetic() || first == '_' {
+            (TokenKind::Word, run(|letter| letter.is_alphanumeric() || letter == '_'))
         } else if first.is_ascii_digit() {
             (TokenKind::Number, run(|letter| letter.is_ascii_alphanumeric() || letter == '.'))
         } else if rest.starts_with("//") {
             (TokenKind::Comment, rest.find('\n').unwrap_or(rest.len()))
         } else if rest.starts_with("/*") {
-            (TokenKind::Comment, rest.find("*/").map_or(rest.len(), |end| end + 2))
+            (TokenKind::Comment, block_comment(rest))
         } else {
             (TokenKind::Mark, first.len_utf8())
         };
@@ -77,8 +77,34 @@ pub(crate) fn tokens(text: &str) -> impl Iterator<Item = Token<'_>> {
     })
 }
 
+/// Bytes of the block comment that a text begins with; block comments nest.
+fn block_comment(text: &str) -> usize {
+    let mut depth = 0_u32;
+    let mut at = 0;
+    while let Some(mark) = text[at..].find(['/', '*']).map(|found| at + found) {
+        at = mark + 1;
+        if text[mark..].starts_with("/*") {
+            depth += 1;
+            at += 1;
+        } else if text[mark..].starts_with("*/") {
+            depth -= 1;
+            at += 1;
+        }
+        if depth == 0 {
+            return at;
+        }
+    }
+    text.len()
+}
+
 /// Splits a source into its module-scope declarations, in order.
 pub(crate) fn declarations(source: &str) -> Vec<Declaration<'_>> {
+    statements(source).into_iter().filter_map(declaration).collect()
+}
+
+/// Splits a source into what stands at module scope, in order: declarations, directives, assertions, lone semicolons,
+/// and at the end whatever is not finished.
+pub(crate) fn statements(source: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let mut depth = 0_i32;
     let mut start = 0;
@@ -102,13 +128,16 @@ pub(crate) fn declarations(source: &str) -> Vec<Declaration<'_>> {
                     _ => {}
                 }
                 if depth == 0 && matches!(text, ";" | "}") {
-                    found.extend(declaration(&source[start..end]));
+                    found.push(&source[start..end]);
                     start = end;
                     only_comments = true;
                 }
             }
         }
         at = end;
+    }
+    if !only_comments {
+        found.push(&source[start..]);
     }
     found
 }
@@ -126,7 +155,7 @@ pub(crate) fn references(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Reads what a declaration declares; a lone `;` declares nothing.
-fn declaration(text: &str) -> Option<Declaration<'_>> {
+pub(crate) fn declaration(text: &str) -> Option<Declaration<'_>> {
     let mut depth = 0_i32;
     let mut kind = None;
     for token in tokens(text) {
@@ -171,6 +200,13 @@ mod tests {
         assert_eq!(found[0].text, "/// Doc.\nconst A: f32 = 1.0;");
         assert!(found[2].text.starts_with("@group(0)"));
         assert!(found[3].text.starts_with("/// Two\n/// lines.\n@vertex") && found[3].text.ends_with('}'));
+    }
+
+    #[test]
+    fn block_comments_nest_and_names_may_hold_any_letter() {
+        let found = declarations("/* a /* b */ fn no() {} */ fn gr\u{f6}\u{df}e() {} fn unfinished() { /* ");
+        let names: Vec<_> = found.iter().map(|found| found.name).collect();
+        assert_eq!(names, ["gr\u{f6}\u{df}e", "unfinished"]);
     }
 
     #[test]

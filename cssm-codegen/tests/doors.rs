@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use cssm_codegen::{Build, BuildError, GenerateError, Options, generate_with, macro_expand};
+use cssm_codegen::{Build, BuildError, CasterEntry, GenerateError, Options, generate_with, macro_expand};
 use cssm_core::LightCase;
 use tempfile::TempDir;
 
@@ -60,6 +60,38 @@ fn outputs_and_prefixes_may_not_collide() {
     let error = compile(&folder, &["a/sun.cssm", "other.cssm"]).unwrap_err();
     assert!(matches!(error, BuildError::Generate(GenerateError::SharedPrefix { .. })), "{error}");
     assert!(!folder.path().join("out").exists(), "nothing is written");
+}
+
+#[test]
+fn caster_entries_become_files_of_their_own() {
+    let position = "fn caster(@location(0) position: vec3<f32>) -> vec3<f32> { return position; }";
+    let folder =
+        folder(&[("all.cssm", "pub case Sun {}"), ("caster.wgsl", position), ("bad.wgsl", "fn caster(")]);
+    let entry = CasterEntry::new("plain", "caster");
+    let build = |case: &str, file: &str| {
+        let build = Build::new().out_dir(folder.path().join("out")).file(folder.path().join("all.cssm"));
+        build.caster(case, [folder.path().join(file)], entry.clone())
+    };
+    let error = build("Moon", "caster.wgsl").compile().unwrap_err();
+    assert!(
+        matches!(error, BuildError::UnknownCase { .. }) && error.to_string().contains("`Sun`"),
+        "{error}"
+    );
+    let error = build("Sun", "bad.wgsl").compile().unwrap_err();
+    assert!(
+        matches!(error, BuildError::Casters(_)) && format!("{error:?}").contains("bad.wgsl:1"),
+        "{error}"
+    );
+    let twice = build("Sun", "caster.wgsl").caster("Sun", [folder.path().join("caster.wgsl")], entry.clone());
+    assert!(matches!(twice.compile(), Err(BuildError::SameOutput { .. })));
+    assert!(!folder.path().join("out").exists(), "nothing is written");
+
+    let written = build("Sun", "caster.wgsl").compile().unwrap();
+    assert!(written[1].ends_with("sun_plain.rs"));
+    let text = std::fs::read_to_string(&written[1]).unwrap();
+    assert!(text.contains("pub mod sun_plain {") && text.contains("pub static CASTERS: ::cssm::core"));
+    let again = build("Sun", "caster.wgsl").compile().unwrap();
+    assert_eq!(std::fs::read_to_string(&again[1]).unwrap(), text);
 }
 
 #[test]

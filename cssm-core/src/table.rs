@@ -4,10 +4,12 @@
 //! from it and emits it as Rust and JSON; the runtime uploads plans and builds pipelines from it. It names no type
 //! of any graphics interface. What a case does not declare has no record field, binding or pass here.
 
+mod caster;
 mod constant;
 mod describe;
 mod write;
 
+pub use caster::{CasterAttribute, CasterBinding, CasterShader, CasterSpace, CasterTable, caster_rows};
 pub use constant::{Constant, ConstantKind, ConstantValue};
 pub use write::{
     shear_parts, write_capture_record, write_caster_mask_record, write_mask_record, write_shadow_record,

@@ -45,7 +45,7 @@ pub(super) fn listed(names: &[&str]) -> String {
 }
 
 /// The name most like a wrong one, if any is like it at all.
-fn nearest<'a>(wrong: &str, names: &[&'a str]) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(wrong: &str, names: &[&'a str]) -> Option<&'a str> {
     let wrong = wrong.to_ascii_lowercase().replace('-', "_");
     let likeness = |name: &str| strsim::jaro_winkler(&wrong, name);
     let best = names.iter().copied().max_by(|one, two| likeness(one).total_cmp(&likeness(two)))?;

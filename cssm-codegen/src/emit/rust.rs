@@ -4,6 +4,7 @@
 //! interface.
 
 mod case;
+pub(crate) mod casters;
 mod records;
 mod table;
 

@@ -11,7 +11,7 @@ use cssm_core::case::{
 use cssm_core::schema::Word;
 use cssm_core::table::{CaseTable, ShaderKind};
 
-use super::{LIBRARY, pick};
+use super::{LIBRARY, caster_entry, pick};
 use crate::compose::Prefix;
 use crate::{generate, judge, prelude, wgsl};
 
@@ -176,6 +176,7 @@ fn every_file_is_picked_by_some_case() {
         for shader in shaders(&variant) {
             picked.extend(pick(&variant.case, &variant.table, shader).0.into_iter().map(|file| file.name));
         }
+        picked.extend(caster_entry(&variant.table, true, false, true).into_iter().map(|file| file.name));
     }
     let missing: Vec<_> = LIBRARY.iter().filter(|file| !picked.contains(file.name)).collect();
     assert!(missing.is_empty(), "no case takes {missing:?}");

@@ -239,7 +239,7 @@ fn shaders(table: &CaseTable) -> TokenStream {
     quote!(const SHADERS: &[Shader] = &[#(#shaders),*];)
 }
 
-fn hexadecimal(value: u64) -> Literal {
+pub(super) fn hexadecimal(value: u64) -> Literal {
     format!("{value:#018x}").parse().unwrap_or_else(|_| Literal::u64_unsuffixed(value))
 }
 

@@ -37,6 +37,8 @@ const CASES: [(&str, &str, &str); 3] = [
 ];
 /// Weight of the sun's errors: it lights more pixels than any lamp.
 const SUN_PRIORITY: f64 = 4.0;
+/// Largest square of a lamp.
+const LAMP_SIDE_TEXELS: u32 = 1024;
 /// Frames of a motion that are not counted.
 pub const WARM_UP_FRAMES: u32 = 4;
 /// Which of the scene's viewpoints is used: a street.
@@ -230,8 +232,10 @@ impl<'a> Host<'a> {
         let mut handles = Vec::with_capacity(town.lights.len());
         for (index, planted) in town.lights.iter().enumerate() {
             let usual = LightDescription::new(town.case(index), planted.light);
-            let priority = if index == 0 { SUN_PRIORITY } else { 1.0 };
-            let added = runner.service.add_light(&LightDescription { priority, ..usual });
+            let added = runner.service.add_light(&match index {
+                0 => LightDescription { priority: SUN_PRIORITY, ..usual },
+                _ => LightDescription { max_side_texels: LAMP_SIDE_TEXELS, ..usual },
+            });
             handles.push(added.map_err(crate::gpu::GpuError::from)?);
         }
         Ok(Self { town, runner, casters, handles })

@@ -103,7 +103,8 @@ impl ShadowService {
         map: &wgpu::Texture,
     ) -> Result<Self, ServiceError> {
         let gpu = Gpu::new(device, queue, table, options, Some(map))?;
-        Ok(Self { table: table.clone(), options: *options, gpu, meshes: Vec::new() })
+        let leaving = Leaving::default();
+        Ok(Self { table: table.clone(), options: *options, gpu, meshes: Vec::new(), leaving })
     }
 
     /// The table and what executes it.

@@ -60,18 +60,17 @@ pub(super) enum Need {
 }
 
 /// Whether a held plan serves a request.
-pub(super) fn need(held: Option<&Held>, request: &PlanRequest, hold: bool) -> Need {
+pub(super) fn need(held: Option<&mut Held>, request: &PlanRequest, hold: bool) -> Need {
     let Some(held) = held else { return Need::Another };
     if Some(held.plan.region) != request.region {
         return Need::Another;
     }
-    let same_view = held.plan.eye_world == request.view.eye_world
-        && held.plan.camera_from_world == request.view.camera_from_world;
-    let may_hold = hold || same_view;
-    if !may_hold || !held.plan.covers(&PlanRequest { light: &held.light, ..*request }) {
+    let may_hold = hold || held.is_of(request.view);
+    let light = held.light;
+    if !may_hold || !held.plan.covers(&PlanRequest { light: &light, ..*request }) {
         return Need::Another;
     }
-    let cost = held.plan.p95_pixels(request.view) / held.best_pixels;
+    let cost = held.pixels(request.view) / held.best_pixels;
     if held.light != *request.light || cost > HOLD_COST { Need::Better } else { Need::Nothing }
 }
 

@@ -134,7 +134,7 @@ impl LightService {
                 continue;
             };
             let request = request(&case.case, served, frame, Some(region));
-            match hold::need(shadow.held.as_ref(), &request, self.options.hold) {
+            match hold::need(shadow.held.as_mut(), &request, self.options.hold) {
                 Need::Nothing => {}
                 Need::Better => {
                     if turn {
@@ -244,9 +244,7 @@ impl LightService {
             // Upload the records relative to this frame's eye.
             let Some(part) = next.shadows.get_mut(next.used - 1) else { continue };
             let rebased;
-            let same_view = held.plan.eye_world == frame.view.eye_world
-                && held.plan.camera_from_world == frame.view.camera_from_world;
-            let resolve = if same_view {
+            let resolve = if held.is_of(frame.view) {
                 &held.plan
             } else {
                 rebased = held.plan.rebased(frame.view);
@@ -344,7 +342,8 @@ impl Shadow {
     }
 
     /// What is known before anything is drawn.
-    fn statistics(&self, light: LightHandle, view: &View) -> LightStatistics {
+    fn statistics(&mut self, light: LightHandle, view: &View) -> LightStatistics {
+        let p95_pixels = self.held.as_mut().map_or(f64::INFINITY, |held| held.pixels(view));
         let state = match (&self.failure, &self.held, self.pixels_times_side) {
             (Some(error), ..) => LightState::Failed(error.clone()),
             (None, Some(_), _) => LightState::Current,
@@ -357,7 +356,7 @@ impl Shadow {
             state,
             region: self.region(),
             configuration: held.map_or("", |held| held.plan.configuration),
-            p95_pixels: held.map_or(f64::INFINITY, |held| held.plan.p95_pixels(view)),
+            p95_pixels,
             held_frames: held.map_or(0, |held| held.frames),
             redrawn_texels: 0,
             draws: 0,
@@ -470,5 +469,6 @@ fn uploaded(
         depth_order: capture.depth_order,
         commands: FrameCommands::default(),
         statistics: Default::default(),
+        culled: None,
     })
 }

@@ -112,7 +112,7 @@ impl LightService {
         let Some(served) = self.cases.get(shadow.case) else { return };
         let gpu = served.service.gpu();
         let facet_stride = gpu.layouts.uniforms.facet_stride;
-        let records = Records { slot: &frame.slot, facet_stride, order: frame.depth_order };
+        let records = Records { slot: &frame.slot, facet_stride, order: frame.depth_order, culled: None };
         let mesh = |mesh| self.meshes.mesh(&served.service, shadow.case, mesh);
         gpu.capture.record(pass, commands, records, first_row, mesh);
     }

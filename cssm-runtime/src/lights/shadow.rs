@@ -2,7 +2,7 @@
 
 use cssm_core::facet::Tile;
 use cssm_core::plan::MapRegion;
-use cssm_core::{Light, PlanError, ShadowPlan};
+use cssm_core::{Light, PlanError, ShadowPlan, View};
 
 use super::description::ViewId;
 use super::tiles::Place;
@@ -31,6 +31,8 @@ pub(super) struct Held {
     pub(super) light: Light,
     /// Predicted 95th percentile of the footprint that a plan for the view alone would have had.
     pub(super) best_pixels: f64,
+    /// The last view that its footprint was predicted for, and what was predicted.
+    pub(super) predicted: Option<(View, f64)>,
     /// Frames that have used it.
     pub(super) frames: u32,
     pub(super) tiles: Vec<TileState>,
@@ -104,7 +106,24 @@ impl Held {
                 }
             }
         }
-        Self { plan, serial, light, best_pixels, frames: 0, tiles }
+        Self { plan, serial, light, best_pixels, predicted: None, frames: 0, tiles }
+    }
+
+    /// Whether it was made relative to a view's eye and axes.
+    pub(super) fn is_of(&self, view: &View) -> bool {
+        self.plan.eye_world == view.eye_world && self.plan.camera_from_world == view.camera_from_world
+    }
+
+    /// Predicted 95th percentile of the footprint in a view.
+    pub(super) fn pixels(&mut self, view: &View) -> f64 {
+        if let Some((known, pixels)) = &self.predicted
+            && known == view
+        {
+            return *pixels;
+        }
+        let pixels = self.plan.p95_pixels(view);
+        self.predicted = Some((*view, pixels));
+        pixels
     }
 }
 

@@ -3,13 +3,13 @@
 use cssm_core::case::{Bias, DepthFormat, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
 use cssm_core::choose::{ChoiceReason, ConfigurationChoice};
 use cssm_core::facet::{Facet, FacetRows, Selection, Tile};
-use cssm_core::glam::{DVec2, DVec4};
+use cssm_core::glam::{DVec2, DVec3, DVec4};
 use cssm_core::light::LightPosition;
-use cssm_core::plan::DepthOrder;
+use cssm_core::plan::{DepthOrder, MapRegion, PlanBasis};
 use cssm_core::remap::Remap;
 use cssm_core::schema::{Value, Word};
 use cssm_core::table::{CaseTable, Shader, ShaderKind};
-use cssm_core::{ShadowPlan, View};
+use cssm_core::{Light, ShadowPlan, View};
 
 /// Side of the hand-made map in texels.
 pub const MAP_SIDE: u32 = 64;

@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::bias::{self, BiasArguments};
 use crate::catalogue_sheet::{self, CatalogueArguments};
 use crate::contact_sheet::{self, ContactSheetArguments};
 use crate::demo::{self, DemoArguments};
@@ -39,6 +40,7 @@ enum Command {
     Extremes(ExtremesArguments),
     Figures(FiguresArguments),
     Lights(LightsArguments),
+    Bias(BiasArguments),
     Measure(Box<MeasureArguments>),
 }
 
@@ -70,6 +72,7 @@ fn run_command(line: &CommandLine) -> Result<String, LabError> {
         Command::ContactSheet(arguments) => contact_sheet::run(arguments, progress),
         Command::Catalogue(arguments) => catalogue_sheet::run(arguments, progress),
         Command::Figures(arguments) => figures::run(arguments, progress),
+        Command::Bias(arguments) => bias::run(arguments, progress),
         Command::Lights(arguments) => lights::run(arguments, progress),
         Command::Extremes(arguments) => extremes::run(arguments, progress),
         Command::Measure(arguments) => measure::run(arguments, progress),

@@ -16,6 +16,7 @@
 
 pub mod arguments;
 pub mod case_file;
+pub mod bias;
 pub mod catalogue;
 pub mod catalogue_sheet;
 pub mod command_line;

@@ -113,6 +113,7 @@ struct Scratch {
     statistics: FrameStatistics,
     claims: Vec<share::Claim>,
     sides: Vec<u32>,
+    ruled: Vec<u32>,
     claimants: Vec<shares::Claimant>,
     /// Filled in turn with what the engine holds, so that a failure leaves the engine's as it was.
     next: PreparedLights,

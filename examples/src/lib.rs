@@ -2,6 +2,7 @@
 //!
 //! * `quantised_vertices`: casters in an engine's own vertex format, far from the world's origin.
 //! * `material_function`: the engine's own material calls the generated visibility function.
+//! * `many_lights`: a sun, a spot light and lamps share one map; only what changes is drawn again.
 //! * `build_script_tables`: tables and shaders for an engine that renders by itself; no graphics interface.
 //!
 //! Each runs without a window, prints what it shows and checks itself. What they share is here: a device, buffers

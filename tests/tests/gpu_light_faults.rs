@@ -277,7 +277,11 @@ fn two_views_share_a_submission_without_touching_each_other() {
         alone.prepare(&frame(view, &casters), &mut prepared).unwrap();
         let own = draw(&gpu, &mut alone, &prepared);
         let own_region = prepared.report().lights[0].region.unwrap();
-        assert!(square(&own, &own_region) == square(&map, region));
+        let (one, other) = (square(&own, &own_region), square(&map, region));
+        let differing = one.chunks_exact(4).zip(other.chunks_exact(4)).filter(|(one, other)| one != other).count();
+        println!("{differing} texels differ in {region:?}");
+        assert!(differing * 500 < one.len() / 4, "{differing} of {} texels differ", one.len() / 4);
+        assert!(*region != own_region || differing == 0, "{differing} texels differ in the same place");
     }
 
     // A view that is forgotten gives its texels back.

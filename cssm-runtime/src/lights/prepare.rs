@@ -23,6 +23,8 @@ use crate::upload::{Plans, check_plan, upload};
 
 /// Side of the square that lights are planned for before they have one.
 const SURVEY_SIDE: u32 = 512;
+/// Changes of what a shadow needs that are not followed, as a share.
+const SAME_PRODUCT: f64 = 0.25;
 /// How often squares that turn out too small for a plan's tiles are enlarged within one frame.
 const ENLARGEMENTS: u32 = 6;
 
@@ -338,7 +340,8 @@ impl Shadow {
         let pixels = plan.p95_pixels(view);
         let most = description.enough_pixels * f64::from(description.max_side_texels);
         let product = if pixels.is_finite() { pixels * f64::from(side) } else { most };
-        self.pixels_times_side = (!plan.facets.is_empty()).then_some(product);
+        let known = self.pixels_times_side.filter(|known| (product / known - 1.0).abs() <= SAME_PRODUCT);
+        self.pixels_times_side = (!plan.facets.is_empty()).then_some(known.unwrap_or(product));
     }
 
     /// What is known before anything is drawn.

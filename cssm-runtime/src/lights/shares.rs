@@ -12,6 +12,29 @@ const SHARE_STEP: f64 = 0.94;
 /// Smallest share that is tried.
 const LAST_SHARE: f64 = 0.05;
 
+/// Steps of size that are not worth a new plan and a redraw.
+const NEARLY_RIGHT_STEPS: usize = 2;
+
+/// How squares follow what is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rule {
+    KeepNearlyRight,
+    ShrinkOnly,
+    PackAnew,
+}
+
+impl Rule {
+    /// The side for a shadow that has one and wants another; 0 for none.
+    fn side(self, has: u32, wants: u32) -> u32 {
+        match self {
+            _ if has == 0 || wants == 0 => wants,
+            Self::KeepNearlyRight if steps_between(has, wants) <= NEARLY_RIGHT_STEPS => has,
+            Self::KeepNearlyRight | Self::PackAnew => wants,
+            Self::ShrinkOnly => has.min(wants),
+        }
+    }
+}
+
 /// A shadow that asks for texels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Claimant {
@@ -41,38 +64,28 @@ impl LightService {
             }
         }
 
-        // Keep sizes that are right to a step, if all of them fit.
+        // Keep sizes that are nearly right; else let those shrink that have too much; else pack anew, with less and less.
         let map_texels = u64::from(self.layers.main.width()) * u64::from(self.layers.main.height());
         let mut share = FIRST_SHARE;
         let mut moved = 0;
         while share > LAST_SHARE {
             let budget_texels = (map_texels as f64 * share) as u64;
             sides(&scratch.claims, budget_texels, &mut scratch.sides);
-            let kept = |(wanted, claimant): (&u32, &Claimant)| match claimant.side {
-                0 => *wanted,
-                side if *wanted > 0 && steps_between(side, *wanted) <= 1 => side,
-                _ => *wanted,
-            };
-            let texels: u64 = scratch
-                .sides
-                .iter()
-                .zip(&scratch.claimants)
-                .map(kept)
-                .map(|side| u64::from(side).pow(2))
-                .sum();
-            if texels <= budget_texels {
-                for (wanted, claimant) in scratch.sides.iter_mut().zip(&scratch.claimants) {
-                    *wanted = kept((wanted, claimant));
+            for rule in [Rule::KeepNearlyRight, Rule::ShrinkOnly, Rule::PackAnew] {
+                let sizes = scratch.sides.iter().zip(&scratch.claimants).map(|(side, one)| rule.side(one.side, *side));
+                scratch.ruled.clear();
+                scratch.ruled.extend(sizes);
+                let texels: u64 = scratch.ruled.iter().map(|side| u64::from(*side).pow(2)).sum();
+                if texels > budget_texels {
+                    continue;
                 }
-            }
-            if place(&mut self.lights, &mut self.places, &scratch.claimants, &scratch.sides, false) {
-                return moved;
-            }
-
-            // Pack anew, then with less.
-            moved = scratch.claimants.iter().filter(|claimant| claimant.side > 0).count() as u32;
-            if place(&mut self.lights, &mut self.places, &scratch.claimants, &scratch.sides, true) {
-                return moved;
+                let anew = rule == Rule::PackAnew;
+                if anew {
+                    moved = scratch.claimants.iter().filter(|claimant| claimant.side > 0).count() as u32;
+                }
+                if place(&mut self.lights, &mut self.places, &scratch.claimants, &scratch.ruled, anew) {
+                    return moved;
+                }
             }
             share *= SHARE_STEP;
         }

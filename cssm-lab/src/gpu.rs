@@ -21,7 +21,7 @@ pub use surface::Surface;
 use cssm_core::LightCase;
 use cssm_core::case::Casters;
 use cssm_core::table::CaseTable;
-use cssm_runtime::{ClusterError, ServiceError, features_and_limits};
+use cssm_runtime::{ClusterError, ServiceError, culling_requirements, features_and_limits};
 
 /// A device with what a list of cases needs.
 #[derive(Debug)]
@@ -120,6 +120,11 @@ impl Gpu {
             let needed = features_and_limits(&adapter, &CaseTable::describe(case))?;
             limits = limits.or_better_values_from(&needed.limits);
             features |= needed.features;
+        }
+        // Casters may be culled on the device where it can.
+        if let Some(culling) = culling_requirements(&adapter) {
+            limits = limits.or_better_values_from(&culling.limits);
+            features |= culling.features;
         }
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("cssm lab"),

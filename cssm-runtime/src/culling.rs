@@ -12,10 +12,12 @@
 
 mod clusters;
 mod device;
+mod frame;
 mod read;
 mod work;
 
-pub(crate) use device::{CulledFrame, GpuCulling};
+pub(crate) use device::GpuCulling;
+pub(crate) use frame::CulledFrame;
 pub(crate) use read::drawn;
 pub use work::CullingWork;
 pub(crate) use work::LeftClusters;

@@ -364,12 +364,9 @@ impl ShadowService {
         let (mut commands, mut statistics) = (FrameCommands::default(), FrameStatistics::default());
         work.clear();
         let facets = 0..plan.facets.len();
-        commands.append_culled(plan, facets, casters, facts, scratch, &mut statistics, work)?;
-        if work.is_empty() {
-            return Ok(Some((commands, statistics, None)));
-        }
+        culling.rebuild(&mut commands, plan, facets, casters, facts, scratch, &mut statistics, work)?;
         let culled = culling.upload(&self.gpu.device, &self.gpu.queue, work)?;
-        Ok(culled.map(|culled| (commands, statistics, Some(culled))))
+        Ok(Some((commands, statistics, culled)))
     }
 
     /// Binds the buffers of a mesh whose vertices the shaders fetch by themselves.

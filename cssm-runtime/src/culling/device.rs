@@ -2,11 +2,15 @@
 
 use std::sync::Arc;
 
-use super::clusters::ClusterRecord;
-use super::work::{CullingWork, ONE};
+use cssm_core::ShadowPlan;
+
+use super::frame::{CulledFrame, Pool};
+use super::work::CullingWork;
 use super::{LANES, STORAGE_BUFFERS, suffices};
-use crate::casters::BLOCK_CASTERS;
+use crate::casters::{BLOCK_CASTERS, CasterScene};
+use crate::commands::{CommandScratch, FrameCommands, FrameStatistics, MeshFacts};
 use crate::error::ServiceError;
+use crate::mesh::MeshHandle;
 use crate::scope::checked;
 
 pub(super) const INSTANCES: &str = concat!(
@@ -17,8 +21,6 @@ pub(super) const INSTANCES: &str = concat!(
 pub(super) const CLUSTERS: &str =
     concat!(include_str!("../shaders/cull_shared.wgsl"), "\n", include_str!("../shaders/cull_clusters.wgsl"));
 
-/// Smallest buffer.
-const MIN_BYTES: u64 = 1024;
 /// Most workgroups that look for cut instances; each takes one after another.
 const CLUSTER_WORKGROUPS: u64 = 1024;
 /// Blocks of a workgroup.
@@ -45,45 +47,6 @@ struct Pass {
     pipeline: wgpu::ComputePipeline,
 }
 
-/// The clusters of all meshes on the device.
-#[derive(Debug)]
-struct Pool {
-    buffer: wgpu::Buffer,
-    /// Records that are there, and of which beginning.
-    uploaded: usize,
-    generation: u64,
-}
-
-/// What a frame is culled from and into.
-#[derive(Debug)]
-pub(crate) struct CulledFrame {
-    inputs: Inputs,
-    /// Rows of what is drawn.
-    pub(crate) rows: wgpu::Buffer,
-    /// Arguments and counters.
-    pub(super) arguments: wgpu::Buffer,
-    /// Arguments of draws of clusters.
-    pub(super) cluster_arguments: wgpu::Buffer,
-    /// Whether the number of draws of clusters is read on the device.
-    counts: bool,
-    cuts: wgpu::Buffer,
-    groups: Option<[wgpu::BindGroup; 2]>,
-    argument_bytes: u64,
-    cluster_argument_bytes: u64,
-    workgroups: [u32; 2],
-}
-
-/// What the CPU writes for a frame.
-#[derive(Debug)]
-struct Inputs {
-    planes: wgpu::Buffer,
-    candidates: wgpu::Buffer,
-    blocks: wgpu::Buffer,
-    draws: wgpu::Buffer,
-    /// Arguments and counters as they are before culling, so that a frame can be captured more than once.
-    arguments: wgpu::Buffer,
-}
-
 impl GpuCulling {
     /// The passes on a device; `None` where it lacks what [`super::culling_requirements`] asks for.
     pub(crate) fn new(device: &wgpu::Device) -> Result<Option<Self>, ServiceError> {
@@ -94,7 +57,7 @@ impl GpuCulling {
         let writable = |written: &'static [u32]| move |binding: u32| written.contains(&binding);
         let instances = Pass::new(device, "cull_instances", INSTANCES, writable(&[4, 5, 6]))?;
         let clusters = Pass::new(device, "cull_clusters", CLUSTERS, writable(&[4, 6]))?;
-        let buffer = checked(device, "the clusters of meshes", || storage(device, MIN_BYTES))?;
+        let pool = checked(device, "the clusters of meshes", || Pool::new(device))?;
         Ok(Some(Self {
             instances,
             clusters,
@@ -104,23 +67,58 @@ impl GpuCulling {
                 .min(limits.max_buffer_size)
                 .min(u64::from(u32::MAX)),
             workgroups: u64::from(limits.max_compute_workgroups_per_dimension),
-            pool: Pool { buffer, uploaded: 0, generation: 0 },
+            pool,
             frames: Vec::new(),
         }))
     }
 
-    /// Uploads work into a frame's buffers; `None` where it exceeds them, so that the CPU has to cull.
+    /// Rebuilds a list of commands, and leaves to the device what it can cull; the CPU culls where the work would exceed the
+    /// device's buffers.
+    ///
+    /// # Errors
+    /// As [`FrameCommands::rebuild`]; the list is empty then, and the work as it was.
+    #[expect(clippy::too_many_arguments, reason = "what is drawn, and the lists that keep their memory")]
+    pub(crate) fn rebuild<'m>(
+        &self,
+        list: &mut FrameCommands,
+        plan: &ShadowPlan,
+        facets: impl Iterator<Item = usize> + Clone,
+        casters: &CasterScene,
+        facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
+        scratch: &mut CommandScratch,
+        statistics: &mut FrameStatistics,
+        work: &mut CullingWork,
+    ) -> Result<(), ServiceError> {
+        let mark = work.mark();
+        list.clear();
+        statistics.clear();
+        let appended = list.append_culled(plan, facets.clone(), casters, &facts, scratch, statistics, work);
+        if appended.is_ok() && self.shape(work).is_some() {
+            return Ok(());
+        }
+        work.take_back(&mark);
+        list.clear();
+        statistics.clear();
+        appended?;
+        list.rebuild(plan, facets, casters, facts, scratch, statistics)
+    }
+
+    /// Workgroups over the instances of work; `None` where the work exceeds the device.
+    fn shape(&self, work: &CullingWork) -> Option<[u32; 2]> {
+        let workgroups = (work.blocks.len() as u64).div_ceil(BLOCKS).max(1);
+        let shape = [workgroups.min(self.workgroups), workgroups.div_ceil(self.workgroups)];
+        let fits = shape[1] <= self.workgroups && work.largest_bytes() <= self.limit;
+        fits.then_some(shape.map(|count| count as u32))
+    }
+
+    /// Uploads work into a frame's buffers; `None` where there is none that fits.
     pub(crate) fn upload(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         work: &CullingWork,
     ) -> Result<Option<Arc<CulledFrame>>, ServiceError> {
-        let workgroups = (work.blocks.len() as u64).div_ceil(BLOCKS).max(1);
-        let shape = [workgroups.min(self.workgroups), workgroups.div_ceil(self.workgroups)];
-        if shape[1] > self.workgroups || work.largest_bytes() > self.limit {
-            return Ok(None);
-        }
+        let Some(shape) = self.shape(work).filter(|_| !work.is_empty()) else { return Ok(None) };
         checked(device, "the clusters of meshes", || self.pool.upload(device, queue, work, self.limit))?;
 
         // Take frames that nothing uses; the list holds the only reference to those.
@@ -136,7 +134,7 @@ impl GpuCulling {
         let (instances, clusters, pool) = (&self.instances, &self.clusters, &self.pool);
         let shared = &mut self.frames[number];
         if let Some(frame) = Arc::get_mut(shared) {
-            frame.workgroups = shape.map(|count| count as u32);
+            frame.workgroups = shape;
             checked(device, "the work of culling", || {
                 frame.upload(device, queue, work, self.limit);
                 frame.groups = Some([instances.bind(device, frame.of_instances()), {
@@ -232,148 +230,4 @@ impl Pass {
         let (label, layout) = (Some("cssm culling"), &self.layout);
         device.create_bind_group(&wgpu::BindGroupDescriptor { label, layout, entries: &entries })
     }
-}
-
-impl Pool {
-    /// Brings the records of work to the device; to be called under an error scope.
-    fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, work: &CullingWork, limit: u64) {
-        let records = &work.clusters.records;
-        let bytes = size_of_val(records.as_slice()) as u64;
-        if bytes > self.buffer.size() {
-            self.buffer = storage(device, roomy(bytes, limit));
-            self.uploaded = 0;
-        }
-        if self.generation != work.clusters.generation || self.uploaded > records.len() {
-            (self.generation, self.uploaded) = (work.clusters.generation, 0);
-        }
-        let offset = (self.uploaded * size_of::<ClusterRecord>()) as u64;
-        if let Some(fresh) = records.get(self.uploaded..).filter(|fresh| !fresh.is_empty()) {
-            queue.write_buffer(&self.buffer, offset, bytemuck::cast_slice(fresh));
-        }
-        self.uploaded = records.len();
-    }
-}
-
-impl CulledFrame {
-    /// Small buffers; to be called under an error scope.
-    fn new(device: &wgpu::Device, counts: bool) -> Self {
-        let [planes, candidates, blocks, draws, cuts] = std::array::from_fn(|_| storage(device, MIN_BYTES));
-        let arguments = buffer(device, MIN_BYTES, INITIAL);
-        Self {
-            inputs: Inputs { planes, candidates, blocks, draws, arguments },
-            rows: buffer(device, MIN_BYTES, ROWS),
-            arguments: buffer(device, MIN_BYTES, ARGUMENTS),
-            cluster_arguments: buffer(device, MIN_BYTES, ARGUMENTS),
-            counts,
-            cuts,
-            groups: None,
-            argument_bytes: 0,
-            cluster_argument_bytes: 0,
-            workgroups: [0; 2],
-        }
-    }
-
-    /// Makes room for work and uploads it; to be called under an error scope.
-    fn upload(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, work: &CullingWork, limit: u64) {
-        let Inputs { planes, candidates, blocks, draws, arguments } = &mut self.inputs;
-        let write = |target: &mut wgpu::Buffer, bytes: &[u8]| {
-            grow(device, target, bytes.len() as u64, limit);
-            if !bytes.is_empty() {
-                queue.write_buffer(target, 0, bytes);
-            }
-        };
-        write(planes, bytemuck::cast_slice(&work.planes));
-        write(candidates, bytemuck::cast_slice(&work.candidates));
-        write(blocks, bytemuck::cast_slice(&work.blocks));
-        write(draws, bytemuck::cast_slice(&work.draws));
-        write(arguments, bytemuck::cast_slice(&work.arguments));
-        if !work.arguments.is_empty() {
-            queue.write_buffer(arguments, 0, bytemuck::cast_slice(&work.head()));
-        }
-
-        self.argument_bytes = size_of_val(work.arguments.as_slice()) as u64;
-        self.cluster_argument_bytes = work.cluster_argument_bytes();
-        grow(device, &mut self.rows, work.row_bytes(), limit);
-        grow(device, &mut self.arguments, self.argument_bytes, limit);
-        grow(device, &mut self.cluster_arguments, self.cluster_argument_bytes, limit);
-        grow(device, &mut self.cuts, work.cut_bytes(), limit);
-    }
-
-    /// Draws rows that culling has found; arguments begin at a word. Counted like clusters where that can be: lavapipe
-    /// takes the count of the last counted draw for later ones that are not.
-    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass, arguments: u32, indexed: bool) {
-        let (draws, offset) = (&self.arguments, 4 * u64::from(arguments));
-        let at = 4 * u64::from(ONE);
-        match (indexed, self.counts) {
-            (true, true) => pass.multi_draw_indexed_indirect_count(draws, offset, draws, at, 1),
-            (false, true) => pass.multi_draw_indirect_count(draws, offset, draws, at, 1),
-            (true, false) => pass.draw_indexed_indirect(draws, offset),
-            (false, false) => pass.draw_indirect(draws, offset),
-        }
-    }
-
-    /// Draws clusters that culling has found; arguments begin at a word, `count` is the word of their number.
-    pub(crate) fn draw_clusters(
-        &self,
-        pass: &mut wgpu::RenderPass,
-        arguments: u32,
-        count: u32,
-        most: u32,
-        indexed: bool,
-    ) {
-        let (draws, counts) = (&self.cluster_arguments, &self.arguments);
-        let (offset, at) = (4 * u64::from(arguments), 4 * u64::from(count));
-        match (indexed, self.counts) {
-            (true, true) => pass.multi_draw_indexed_indirect_count(draws, offset, counts, at, most),
-            (false, true) => pass.multi_draw_indirect_count(draws, offset, counts, at, most),
-            (true, false) => pass.multi_draw_indexed_indirect(draws, offset, most),
-            (false, false) => pass.multi_draw_indirect(draws, offset, most),
-        }
-    }
-
-    /// What the pass over instances binds, in the order of its bindings.
-    fn of_instances(&self) -> [&wgpu::Buffer; STORAGE_BUFFERS as usize] {
-        let Inputs { planes, candidates, blocks, draws, .. } = &self.inputs;
-        [planes, candidates, blocks, draws, &self.rows, &self.arguments, &self.cuts]
-    }
-
-    /// What the pass over clusters binds, in the order of its bindings.
-    fn of_clusters<'a>(&'a self, clusters: &'a wgpu::Buffer) -> [&'a wgpu::Buffer; STORAGE_BUFFERS as usize] {
-        let Inputs { planes, draws, .. } = &self.inputs;
-        [planes, clusters, draws, &self.rows, &self.arguments, &self.cuts, &self.cluster_arguments]
-    }
-}
-
-/// Usages of rows, of arguments, and of what arguments begin with.
-const ROWS: wgpu::BufferUsages =
-    wgpu::BufferUsages::STORAGE.union(wgpu::BufferUsages::VERTEX).union(wgpu::BufferUsages::COPY_SRC);
-const ARGUMENTS: wgpu::BufferUsages = wgpu::BufferUsages::STORAGE
-    .union(wgpu::BufferUsages::INDIRECT)
-    .union(wgpu::BufferUsages::COPY_DST)
-    .union(wgpu::BufferUsages::COPY_SRC);
-const INITIAL: wgpu::BufferUsages = wgpu::BufferUsages::COPY_DST.union(wgpu::BufferUsages::COPY_SRC);
-
-fn storage(device: &wgpu::Device, size: u64) -> wgpu::Buffer {
-    buffer(device, size, wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST)
-}
-
-fn buffer(device: &wgpu::Device, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("cssm culling"),
-        size,
-        usage,
-        mapped_at_creation: false,
-    })
-}
-
-/// Replaces a buffer that is too small.
-fn grow(device: &wgpu::Device, target: &mut wgpu::Buffer, needed: u64, limit: u64) {
-    if needed > target.size() {
-        *target = buffer(device, roomy(needed, limit), target.usage());
-    }
-}
-
-/// A size in powers of two, so that growing scenes settle.
-fn roomy(needed: u64, limit: u64) -> u64 {
-    needed.next_power_of_two().min(limit).max(needed).next_multiple_of(4)
 }

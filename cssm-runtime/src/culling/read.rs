@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::device::CulledFrame;
+use super::frame::CulledFrame;
 use crate::commands::{Command, FrameCommands};
 use crate::cull::InstanceRows;
 use crate::error::ServiceError;

@@ -71,6 +71,13 @@ pub(super) struct DrawRecord {
 
 const _: () = assert!(size_of::<BlockRecord>() == 20 && size_of::<DrawRecord>() == 64);
 
+/// Where the lists of work end.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mark {
+    lengths: [usize; 5],
+    room: [u64; 3],
+}
+
 /// The eye and the axes of the plan in hand.
 #[derive(Debug, Clone, Copy)]
 struct Eye {
@@ -128,6 +135,24 @@ impl CullingWork {
     /// Instances that the device tests.
     pub fn candidates(&self) -> usize {
         self.candidates.len()
+    }
+
+    /// Where the lists end.
+    pub(super) fn mark(&self) -> Mark {
+        let Self { planes, candidates, blocks, draws, arguments, .. } = self;
+        let lengths = [planes.len(), candidates.len(), blocks.len(), draws.len(), arguments.len()];
+        Mark { lengths, room: [self.rows, self.cluster_words, self.cuts] }
+    }
+
+    /// Takes back what was added since.
+    pub(super) fn take_back(&mut self, mark: &Mark) {
+        let [planes, candidates, blocks, draws, arguments] = mark.lengths;
+        self.planes.truncate(planes);
+        self.candidates.truncate(candidates);
+        self.blocks.truncate(blocks);
+        self.draws.truncate(draws);
+        self.arguments.truncate(arguments);
+        [self.rows, self.cluster_words, self.cuts] = mark.room;
     }
 
     /// Bytes of the largest buffer that the work needs.

@@ -5,6 +5,7 @@
 //! is right because they are above every receiver of their texel.
 
 use glam::{DVec2, DVec3, DVec4};
+use smallvec::SmallVec;
 
 use crate::facet::FacetRows;
 use crate::plan::DepthOrder;
@@ -28,8 +29,6 @@ pub(crate) struct DepthNeeds<'a> {
     pub light: DVec4,
     /// Everything that needs a depth.
     pub receivers: &'a Polytope,
-    /// Visible points of the facet, camera axes.
-    pub samples: &'a [DVec3],
     /// Kept free before and behind the receivers, metres along the light per w.
     pub margin_metres_per_w: f64,
     /// Kept free before the receivers besides, for casters whose distance is to be told, metres along the light per w, or, for
@@ -39,54 +38,104 @@ pub(crate) struct DepthNeeds<'a> {
     pub farthest_metres_per_w: f64,
     /// Smallest w of receivers of a local light; nearer ones share the near end of the range.
     pub near_w: Option<f64>,
-    /// Which end of stored depth lies towards the light.
-    pub order: DepthOrder,
+    /// Which ends of stored depth may lie towards the light; two at most.
+    pub orders: &'a [DepthOrder],
     /// Shear of positions; see [`crate::ShadowPlan::shear`].
     pub shear: DVec2,
 }
 
 /// Samples by which candidates are compared.
-const COMPARED_SAMPLES: usize = 48;
+pub(crate) const COMPARED_SAMPLES: usize = 48;
 /// Smallest change along the light of a usable candidate, per metre.
 const SMALLEST_SLOPE: f64 = 1e-9;
+/// Percentage of the samples that rounding is judged by.
+const JUDGED_PERCENT: usize = 95;
 
-/// Finds the row that f32 evaluates and stores best. `None` when the receivers have no usable extent.
-pub(crate) fn depth_row(rows: &FacetRows, needs: &DepthNeeds<'_>) -> Option<DepthRow> {
+/// Finds the row that f32 evaluates and stores best over some visible points of the facet, for each order. `None` when
+/// the receivers have no usable extent.
+pub(crate) fn depth_rows(
+    rows: &FacetRows,
+    needs: &DepthNeeds<'_>,
+    samples: impl ExactSizeIterator<Item = DVec3>,
+) -> [Option<DepthRow>; 2] {
     // Where the view looks along the light, a facet near that axis holds receivers at any distance: leave out those
     // that are too far to be told apart on the screen.
     let w = rows.w;
-    let told_apart = needs.receivers.cut_by(&[w * needs.farthest_metres_per_w - DEPTH_ROW]);
-    let receivers = if told_apart.is_empty() { needs.receivers } else { &told_apart };
+    let told_apart = Part::of(needs.receivers, w * needs.farthest_metres_per_w - DEPTH_ROW);
 
     // A local light among the receivers needs a near plane; floats keep their precision whatever it is.
-    let from_light = needs.near_w.map(|near_w| receivers.cut_by(&[w - DVec4::W * near_w]));
-    let receivers = from_light.as_ref().filter(|cut| !cut.is_empty()).unwrap_or(receivers);
+    let whole = needs.near_w.map(|near_w| (told_apart.polytope(), w - DVec4::W * near_w));
+    let from_light = whole.map(|(whole, near)| Part::of(whole, near));
+    let part = from_light.as_ref().unwrap_or(&told_apart);
+    let receivers = part.polytope();
+    let beside = [Some(&told_apart), from_light.as_ref()].into_iter().flatten().filter_map(Part::beside);
+    let terms = Terms::of(w, needs, samples);
 
     // Try every face of the polytope and the plane across the light (facet algebra: zeta0 = -sign(pi.L) pi).
     let across_light = if needs.light.w > 0.0 { -DVec4::W } else { (-needs.light.truncate()).extend(0.0) };
-    let faces = receivers.planes.iter().map(|plane| {
-        let plane = *plane / plane.truncate().length();
+    let faces = receivers.planes.iter().copied().chain(beside).map(|plane| {
+        let plane = plane / plane.truncate().length();
         if plane.dot(needs.light) > 0.0 { -plane } else { plane }
     });
-    let candidate = |zeta: DVec4| {
+    let mut best: [Option<DepthRow>; 2] = [None; 2];
+    for zeta in std::iter::once(across_light).chain(faces) {
         let slope = -zeta.dot(needs.light);
-        if slope < SMALLEST_SLOPE {
-            return None;
+        if slope.is_nan() || slope < SMALLEST_SLOPE {
+            continue;
         }
         let (first, last) = range(zeta, w, receivers, slope, needs);
         let extent = last - first;
         if !(extent > 0.0 && extent.is_finite()) {
-            return None;
+            continue;
         }
-        let row = match needs.order {
-            DepthOrder::Standard => zeta - w * first,
-            DepthOrder::Reversed => w * last - zeta,
-        };
-        let found = DepthRow { row: row / extent, depth_per_metre: slope / extent, rounding: 0.0 };
-        Some(DepthRow { rounding: rounding(&found, w, needs), ..found })
-    };
-    let best = std::iter::once(across_light).chain(faces).filter_map(candidate);
-    best.min_by(|one, two| one.rounding.total_cmp(&two.rounding))
+        for (order, best) in needs.orders.iter().zip(&mut best) {
+            let row = match order {
+                DepthOrder::Standard => zeta - w * first,
+                DepthOrder::Reversed => w * last - zeta,
+            };
+            let depth_per_metre = slope / extent;
+            let limit = best.map_or(f64::INFINITY, |best| best.rounding);
+            let Some(rounding) = terms.rounding(row / extent, depth_per_metre, limit) else { continue };
+            if best.is_none() || rounding < limit {
+                *best = Some(DepthRow { row: row / extent, depth_per_metre, rounding });
+            }
+        }
+    }
+    best
+}
+
+/// A polytope cut by a plane, if that leaves anything; not copied where there is nothing to cut off.
+enum Part<'a> {
+    /// The whole polytope lies on the plane's right side.
+    Whole(&'a Polytope, DVec4),
+    /// The plane would leave nothing.
+    Kept(&'a Polytope),
+    Cut(Polytope),
+}
+
+impl<'a> Part<'a> {
+    fn of(whole: &'a Polytope, plane: DVec4) -> Self {
+        if whole.vertices.iter().all(|vertex| plane.dot(*vertex) >= 0.0) {
+            return Self::Whole(whole, plane);
+        }
+        let cut = whole.cut_by(&[plane]);
+        if cut.is_empty() { Self::Kept(whole) } else { Self::Cut(cut) }
+    }
+
+    fn polytope(&self) -> &Polytope {
+        match self {
+            Self::Whole(whole, _) | Self::Kept(whole) => whole,
+            Self::Cut(cut) => cut,
+        }
+    }
+
+    /// The plane, where it is none of the polytope's.
+    fn beside(&self) -> Option<DVec4> {
+        match self {
+            Self::Whole(_, plane) => Some(*plane),
+            Self::Kept(_) | Self::Cut(_) => None,
+        }
+    }
 }
 
 /// Smallest and largest zeta/w over the receivers, margins included. A metre along a local light counts the less the
@@ -122,23 +171,53 @@ pub(crate) fn light_distance(light: DVec4, point: DVec4) -> f64 {
     }
 }
 
-/// How far rounding moves depth along the light: the 95th percentile over samples, in float steps and metres per w.
-fn rounding(depth: &DepthRow, w: DVec4, needs: &DepthNeeds<'_>) -> f64 {
-    let row = depth.row;
-    let along = row.z - needs.shear.dot(DVec2::new(row.x, row.y));
-    let row = DVec4::new(row.x, row.y, along, row.w).abs();
-    let step = needs.samples.len().div_ceil(COMPARED_SAMPLES).max(1);
-    let terms = needs.samples.iter().step_by(step).map(|point| {
-        let sheared = needs.shear * point.z + DVec2::new(point.x, point.y);
-        let terms = DVec4::new(sheared.x, sheared.y, point.z, 1.0).abs();
-        let homogeneous = point.extend(1.0);
-        row.dot(terms) / w.dot(homogeneous) * light_distance(needs.light, homogeneous)
-    });
-    let mut terms: Vec<f64> = terms.collect();
-    let rank = terms.len() * 95 / 100;
-    if terms.is_empty() {
-        return 1.0 / depth.depth_per_metre;
+/// Sizes of the terms of a depth row at sample receivers.
+struct Terms {
+    /// Sheared coordinates and 1, and what their sum counts: distance from the light over w.
+    samples: SmallVec<[(DVec4, f64); COMPARED_SAMPLES]>,
+    shear: DVec2,
+}
+
+impl Terms {
+    fn of(w: DVec4, needs: &DepthNeeds<'_>, samples: impl ExactSizeIterator<Item = DVec3>) -> Self {
+        let step = samples.len().div_ceil(COMPARED_SAMPLES).max(1);
+        let terms = samples.step_by(step).map(|point| {
+            let sheared = needs.shear * point.z + DVec2::new(point.x, point.y);
+            let terms = DVec4::new(sheared.x, sheared.y, point.z, 1.0).abs();
+            let homogeneous = point.extend(1.0);
+            (terms, light_distance(needs.light, homogeneous) / w.dot(homogeneous))
+        });
+        Self { samples: terms.collect(), shear: needs.shear }
     }
-    let (_, term, _) = terms.select_nth_unstable_by(rank, f64::total_cmp);
-    *term / depth.depth_per_metre
+
+    /// How far rounding moves depth along the light: the 95th percentile over samples, in float steps and metres per w.
+    /// `None` where that is above a limit.
+    fn rounding(&self, row: DVec4, depth_per_metre: f64, limit: f64) -> Option<f64> {
+        /// Largest values that can matter.
+        const LARGEST: usize = COMPARED_SAMPLES - COMPARED_SAMPLES * JUDGED_PERCENT / 100;
+        let along = row.z - self.shear.dot(DVec2::new(row.x, row.y));
+        let row = DVec4::new(row.x, row.y, along, row.w).abs();
+        let count = self.samples.len();
+        if count == 0 {
+            return Some(1.0 / depth_per_metre);
+        }
+
+        // Keep as many of the largest values, in falling order, as lie at and above the rank.
+        let rank = (count - count * JUDGED_PERCENT / 100).min(LARGEST);
+        let mut largest = [f64::NEG_INFINITY; LARGEST];
+        let largest = &mut largest[..rank];
+        let limit = limit * depth_per_metre;
+        for (terms, weight) in &self.samples {
+            let mut value = row.dot(*terms) * weight;
+            for place in largest.iter_mut() {
+                if value > *place {
+                    std::mem::swap(place, &mut value);
+                }
+            }
+            if largest[rank - 1] > limit {
+                return None;
+            }
+        }
+        Some(largest[rank - 1] / depth_per_metre)
+    }
 }

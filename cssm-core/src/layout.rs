@@ -5,12 +5,13 @@
 //! partition into strips affords; the partition is judged by that very footprint, so that quality changes smoothly
 //! where another partition takes over. Facets that ask for shares of the map get tiles as square as can be.
 
-mod curve;
 mod equal;
 mod fixed;
 mod shares;
+mod spread;
 mod strips;
 
+pub use self::spread::Spread;
 use crate::facet::Tile;
 use crate::plan::PlanError;
 use crate::technique::TileRequest;
@@ -19,12 +20,12 @@ use crate::technique::TileRequest;
 const SMALLEST_INNER_SIDE: u32 = 4;
 
 /// What the layout knows of one facet.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub struct TileDemand {
     /// What the technique asked for.
     pub request: TileRequest,
-    /// Gram matrices of the pixel vectors that span the whole tile, at sample receivers.
-    pub samples: Vec<Gram>,
+    /// What the tile spans at sample receivers; only asked for where footprints are balanced.
+    pub spread: Spread,
     /// Whether the tile may be turned by a quarter.
     pub may_turn: bool,
 }
@@ -52,9 +53,21 @@ pub struct Gram {
 impl Gram {
     /// Major axis in pixels of one texel of a tile of this inner size.
     pub fn major_pixels(&self, width: f64, height: f64) -> f64 {
+        self.major_square(width, height).sqrt()
+    }
+
+    /// Square of [`Self::major_pixels`].
+    pub(crate) fn major_square(&self, width: f64, height: f64) -> f64 {
         let (xx, yy, xy) =
             (self.xx / (width * width), self.yy / (height * height), self.xy / (width * height));
-        (0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()).sqrt()
+        0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()
+    }
+
+    /// Major and minor axis in pixels of one texel of a tile of this inner size.
+    pub(crate) fn axes_pixels(&self, width: f64, height: f64) -> (f64, f64) {
+        let major = self.major_pixels(width, height);
+        let area = (self.xx * self.yy - self.xy * self.xy).max(0.0).sqrt() / (width * height);
+        (major, if major > 0.0 { area / major } else { 0.0 })
     }
 
     /// Vectors shorter by a factor.
@@ -99,13 +112,17 @@ impl MapArea {
     }
 }
 
+/// Whether a tile asks for the footprint of the others, whatever its size.
+pub(crate) const fn is_balanced(request: TileRequest) -> bool {
+    matches!(request, TileRequest::Footprint | TileRequest::Coarser { .. })
+}
+
 /// Places one tile per demand; tiles never overlap and lie inside the map.
 ///
 /// # Errors
 /// [`PlanError::MapTooSmall`] when they do not fit.
 pub fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Placement>, PlanError> {
-    let balanced = |request| matches!(request, TileRequest::Footprint | TileRequest::Coarser { .. });
-    if demands.iter().all(|demand| balanced(demand.request)) {
+    if demands.iter().all(|demand| is_balanced(demand.request)) {
         return equal::place(demands, area);
     }
     let fixed: Option<Vec<(u32, u32)>> = demands

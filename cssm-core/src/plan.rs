@@ -7,6 +7,7 @@ mod dominant;
 mod finish;
 mod fitted;
 mod held;
+mod inner;
 mod lit;
 mod make;
 mod region;

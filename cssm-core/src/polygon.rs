@@ -1,13 +1,22 @@
 //! Convex outlines in a facet's clip space.
 
 use glam::{DVec2, DVec4};
+use smallvec::SmallVec;
 
 use crate::facet::FacetRows;
 use crate::receivers::is_negligible;
 
+/// Corners of an outline; most have few.
+pub(crate) type Outline = SmallVec<[DVec2; 16]>;
+
 /// Convex outline (counter-clockwise) of a receiver vertex list in a facet's x/w and y/w: its clip space, unless its rows
 /// are bent.
 pub fn outline(rows: &FacetRows, receivers: &[DVec4]) -> Vec<DVec2> {
+    small_outline(rows, receivers).into_vec()
+}
+
+/// [`outline`] without an allocation.
+pub(crate) fn small_outline(rows: &FacetRows, receivers: &[DVec4]) -> Outline {
     let points = receivers.iter().filter_map(|vertex| {
         let w = rows.w.dot(*vertex);
         let usable = w > 0.0 && !is_negligible(w, rows.w, *vertex);
@@ -52,30 +61,32 @@ pub fn area(outline: &[DVec2]) -> f64 {
 }
 
 /// Convex hull by monotone chains, counter-clockwise.
-fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
+fn hull(mut points: Outline) -> Outline {
     points.retain(|point| point.is_finite());
-    points.sort_by(|one, two| one.x.total_cmp(&two.x).then(one.y.total_cmp(&two.y)));
+    points.sort_unstable_by(|one, two| one.x.total_cmp(&two.x).then(one.y.total_cmp(&two.y)));
     points.dedup();
     if points.len() < 3 {
         return points;
     }
-    let chain = |points: &mut dyn Iterator<Item = DVec2>| {
-        let mut chain: Vec<DVec2> = Vec::new();
-        for point in points {
-            while let [.., one, two] = chain[..] {
-                if (two - one).perp_dot(point - two) > 0.0 {
-                    break;
-                }
-                chain.pop();
+    let mut outline = Outline::new();
+    chain(&mut outline, points.iter());
+    chain(&mut outline, points.iter().rev());
+    outline
+}
+
+/// Adds a chain of sorted points, without its last, that turns left only.
+fn chain<'a>(outline: &mut Outline, points: impl Iterator<Item = &'a DVec2>) {
+    let start = outline.len();
+    for point in points {
+        while let [.., one, two] = outline[start..] {
+            if (two - one).perp_dot(*point - two) > 0.0 {
+                break;
             }
-            chain.push(point);
+            outline.pop();
         }
-        chain.pop();
-        chain
-    };
-    let mut lower = chain(&mut points.iter().copied());
-    lower.extend(chain(&mut points.iter().rev().copied()));
-    lower
+        outline.push(*point);
+    }
+    outline.pop();
 }
 
 #[cfg(test)]
@@ -84,7 +95,7 @@ mod tests {
 
     #[test]
     fn hull_of_a_square_with_inner_points_has_its_area() {
-        let mut points = vec![DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE];
+        let mut points = Outline::from_slice(&[DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE]);
         points.extend([DVec2::splat(0.5), DVec2::new(0.2, 0.9), DVec2::new(0.5, 0.0)]);
         let outline = hull(points);
         assert_eq!(outline.len(), 4);

@@ -5,6 +5,7 @@
 //! planes they share, and cutting needs nothing else.
 
 use glam::{DMat3, DVec3, DVec4};
+use smallvec::SmallVec;
 
 use crate::plan::BoundingBox;
 use crate::view::View;
@@ -21,12 +22,16 @@ pub struct Polytope {
     pub planes: Vec<DVec4>,
     /// Bit i: the vertex lies on plane i; bit 63: the vertex lies at infinity.
     incidence: Vec<u64>,
+    /// Whether it is a view's frustum that nothing was cut off.
+    is_frustum: bool,
 }
 
 /// Distance from a plane, relative to plane and point, below which a vertex counts as lying on it.
 const ON_PLANE: f64 = 1e-13;
 /// Value of a row, relative to its terms on the vertex, below which a vertex is a direction along the light.
 const ALONG_LIGHT: f64 = 1e-12;
+/// Vertices whose distances from a plane need no allocation.
+const FEW_VERTICES: usize = 48;
 const AT_INFINITY: u64 = 1 << 63;
 /// Plane bits end below the bit of infinity.
 const PLANE_LIMIT: usize = 63;
@@ -63,12 +68,12 @@ impl Polytope {
             });
             incidence.push(sides | far_bit);
         }
-        Self { vertices, planes, incidence }
+        Self { vertices, planes, incidence, is_frustum: true }
     }
 
     /// The polytope of nothing.
     pub fn empty() -> Self {
-        Self { vertices: Vec::new(), planes: Vec::new(), incidence: Vec::new() }
+        Self { vertices: Vec::new(), planes: Vec::new(), incidence: Vec::new(), is_frustum: false }
     }
 
     /// Cuts with a world-space box, given the eye and the rotation to camera axes.
@@ -89,62 +94,95 @@ impl Polytope {
         }
         let bit = 1_u64 << self.planes.len();
         self.planes.push(plane);
-        let signed: Vec<f64> = self
-            .vertices
-            .iter()
-            .map(|vertex| {
-                let value = plane.dot(*vertex);
-                let lengths = plane.truncate().length() * vertex.truncate().length();
-                let scale = lengths + (plane.w * vertex.w).abs();
-                if value.abs() <= ON_PLANE * scale { 0.0 } else { value }
-            })
-            .collect();
+        self.is_frustum = false;
+        let mut short = [0.0; FEW_VERTICES];
+        let mut long = Vec::new();
+        let signed = match short.get_mut(..self.vertices.len()) {
+            Some(few) => few,
+            None => {
+                long.resize(self.vertices.len(), 0.0);
+                &mut long[..]
+            }
+        };
+        let (mut inside, mut outside) = (false, false);
+        for (value, (vertex, planes)) in signed.iter_mut().zip(self.vertices.iter().zip(&mut self.incidence))
+        {
+            *value = signed_distance(plane, *vertex);
+            inside |= *value > 0.0;
+            outside |= *value < 0.0;
+            *planes |= if *value == 0.0 { bit } else { 0 };
+        }
+        if !outside {
+            return;
+        }
 
         // Points count as one within the rounding of a metre, or of the whole where that is smaller.
         let finite = self.vertices.iter().filter(|vertex| vertex.w > 0.0);
         let size = finite.map(|vertex| vertex.truncate().abs().max_element()).fold(0.0, f64::max).min(1.0);
 
-        // Keep what lies inside, then add a vertex on every edge that crosses.
-        let mut vertices = Vec::with_capacity(self.vertices.len() + 4);
-        let mut incidence = Vec::with_capacity(self.vertices.len() + 4);
-        for (index, value) in signed.iter().enumerate() {
-            if *value >= 0.0 {
-                vertices.push(self.vertices[index]);
-                incidence.push(self.incidence[index] | if *value == 0.0 { bit } else { 0 });
-            }
-        }
-        for (a, inside) in signed.iter().enumerate().filter(|(_, inside)| **inside > 0.0) {
-            for (b, outside) in signed.iter().enumerate().filter(|(_, outside)| **outside < 0.0) {
-                let Some(shared) = self.edge(a, b) else { continue };
-                let point = normalised(self.vertices[a] * -outside + self.vertices[b] * *inside);
-                match vertices.iter().position(|vertex| coincide(*vertex, point, size)) {
-                    Some(same) => incidence[same] |= shared | bit,
-                    None => {
-                        vertices.push(point);
-                        incidence.push(shared | bit);
-                    }
+        // Find a vertex on every edge that crosses.
+        let mut crossings: SmallVec<[(DVec4, u64); 16]> = SmallVec::new();
+        let sides = |sign: f64| signed.iter().enumerate().filter(move |(_, value)| sign * **value > 0.0);
+        if inside {
+            for (a, inside) in sides(1.0) {
+                for (b, outside) in sides(-1.0) {
+                    let Some(shared) = self.edge(a, b) else { continue };
+                    let point = normalised(self.vertices[a] * -outside + self.vertices[b] * *inside);
+                    crossings.push((point, shared | bit));
                 }
             }
         }
-        self.vertices = vertices;
-        self.incidence = incidence;
+
+        // Keep what lies inside, then add the new vertices.
+        let mut kept = 0;
+        for index in 0..signed.len() {
+            if signed[index] >= 0.0 {
+                self.vertices[kept] = self.vertices[index];
+                self.incidence[kept] = self.incidence[index];
+                kept += 1;
+            }
+        }
+        self.vertices.truncate(kept);
+        self.incidence.truncate(kept);
+        for (point, planes) in crossings {
+            match self.vertices.iter().position(|vertex| coincide(*vertex, point, size)) {
+                Some(same) => self.incidence[same] |= planes,
+                None => {
+                    self.vertices.push(point);
+                    self.incidence.push(planes);
+                }
+            }
+        }
     }
 
     /// The planes that two vertices share, if an edge joins them: no third vertex lies on all of them (the double
     /// description method's test, which also holds where planes repeat or the polytope is flat).
     fn edge(&self, a: usize, b: usize) -> Option<u64> {
         let shared = self.incidence[a] & self.incidence[b];
+        if shared.count_ones() < 2 {
+            return None;
+        }
         let between = |(c, planes): (usize, &u64)| c != a && c != b && planes & shared == shared;
-        (shared.count_ones() >= 2 && !self.incidence.iter().enumerate().any(between)).then_some(shared)
+        (!self.incidence.iter().enumerate().any(between)).then_some(shared)
     }
 
     /// The polytope cut by several half-spaces.
     pub fn cut_by(&self, planes: &[DVec4]) -> Self {
-        let mut cut = self.clone();
+        let mut cut = Self {
+            vertices: with_room(&self.vertices, 4),
+            planes: with_room(&self.planes, planes.len() + 1),
+            incidence: with_room(&self.incidence, 4),
+            is_frustum: self.is_frustum,
+        };
         for plane in planes {
             cut.cut(*plane);
         }
         cut
+    }
+
+    /// Whether it is a view's frustum that nothing was cut off.
+    pub(crate) fn is_frustum(&self) -> bool {
+        self.is_frustum
     }
 
     /// Whether nothing is left that could have an area in the light's view.
@@ -196,8 +234,34 @@ impl Polytope {
 
 /// Whether a row vanishes on a vertex, beside the sizes of its terms; at any scale of the world.
 pub(crate) fn is_negligible(value: f64, row: DVec4, vertex: DVec4) -> bool {
+    // Sums of components are no less than lengths and cost no roots.
+    let sums = row.truncate().abs().element_sum() * vertex.truncate().abs().element_sum();
+    if value.abs() > ALONG_LIGHT * (sums + (row.w * vertex.w).abs()) {
+        return false;
+    }
     let terms = row.truncate().length() * vertex.truncate().length() + (row.w * vertex.w).abs();
     value.abs() <= ALONG_LIGHT * terms
+}
+
+/// A copy of a list that may grow a little without moving.
+fn with_room<T: Copy>(list: &[T], more: usize) -> Vec<T> {
+    let mut copy = Vec::with_capacity(list.len() + more);
+    copy.extend_from_slice(list);
+    copy
+}
+
+/// Value of a plane on a vertex; zero where the vertex counts as lying on it.
+fn signed_distance(plane: DVec4, vertex: DVec4) -> f64 {
+    let value = plane.dot(vertex);
+
+    // Sums of components are no less than lengths and cost no roots.
+    let sums = plane.truncate().abs().element_sum() * vertex.truncate().abs().element_sum();
+    let offsets = (plane.w * vertex.w).abs();
+    if value.abs() > ON_PLANE * (sums + offsets) {
+        return value;
+    }
+    let lengths = plane.truncate().length() * vertex.truncate().length();
+    if value.abs() <= ON_PLANE * (lengths + offsets) { 0.0 } else { value }
 }
 
 /// Smallest and largest of some values; infinite, the wrong way round, where there are none.

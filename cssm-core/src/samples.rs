@@ -9,7 +9,7 @@ use crate::view::View;
 pub const SAMPLED_HORIZON_METRES: f64 = 1e5;
 
 /// Up to `count` points of the receivers in camera space, by a low-discrepancy sequence (generalised golden ratio):
-/// uniform over the frustum's cross-section, log-uniform in depth.
+/// uniform over the part of the frustum's cross-section that holds receivers, log-uniform in depth.
 pub fn receivers(view: &View, receivers: &Polytope, count: usize) -> Vec<DVec3> {
     // Powers of 1/g with g^4 = g + 1: the three-dimensional sequence of lowest known discrepancy of its kind.
     const STEP: DVec3 = DVec3::new(0.819_172_513_396_164_4, 0.671_043_606_703_789_2, 0.549_700_477_901_970_1);
@@ -17,12 +17,27 @@ pub fn receivers(view: &View, receivers: &Polytope, count: usize) -> Vec<DVec3> 
     let nearest = nearest.max(f64::MIN_POSITIVE);
     let farthest = if farthest.is_finite() { farthest } else { SAMPLED_HORIZON_METRES.max(1e3 * nearest) };
     let logarithm = libm::log(farthest / nearest);
-    let point = |index: usize| {
-        let unit = (STEP * (index as f64 + 0.5)).fract();
+
+    // Only what is no frustum of the view needs a test.
+    let is_whole = receivers.is_frustum();
+    let (left, right) = (view.left, view.right);
+    let (bottom, top) = (view.bottom, view.top);
+    let mut points = Vec::with_capacity(count);
+    for index in 0..count {
+        let place = STEP * (index as f64 + 0.5);
+        let unit = place - DVec3::new(whole(place.x), whole(place.y), whole(place.z));
         let depth = nearest * libm::exp(logarithm * unit.z);
-        let x = view.left + (view.right - view.left) * unit.x;
-        let y = view.bottom + (view.top - view.bottom) * unit.y;
-        DVec3::new(x, y, -1.0) * depth
-    };
-    (0..count).map(point).filter(|point| receivers.contains(point.extend(1.0))).collect()
+        let x = left + (right - left) * unit.x;
+        let y = bottom + (top - bottom) * unit.y;
+        let point = DVec3::new(x, y, -1.0) * depth;
+        if is_whole || receivers.contains(point.extend(1.0)) {
+            points.push(point);
+        }
+    }
+    points
+}
+
+/// The whole part of a small positive number.
+fn whole(value: f64) -> f64 {
+    f64::from(value as u32)
 }

@@ -15,8 +15,8 @@
 //! and pixels beside creases are counted, but apart.
 
 pub mod arguments;
-pub mod case_file;
 pub mod bias;
+pub mod case_file;
 pub mod catalogue;
 pub mod catalogue_sheet;
 pub mod command_line;

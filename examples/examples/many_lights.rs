@@ -210,7 +210,10 @@ fn main() -> Result<(), Box<dyn Error>> {
                 picture[index] += fall * f64::from(visibility[index]) / 255.0;
             }
             assert!(judged > 10_000, "the light reaches the view");
-            assert!(wrong * 50 < judged, "{wrong} of {judged} pixels are wrong: more than edges and faces that look away");
+            assert!(
+                wrong * 50 < judged,
+                "{wrong} of {judged} pixels are wrong: more than edges and faces that look away"
+            );
         }
         assert!(number == 0 || report.redrawn_texels * 2 < report.owned_texels, "most tiles are kept");
         if number == 3 {

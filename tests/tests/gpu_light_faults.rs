@@ -278,7 +278,8 @@ fn two_views_share_a_submission_without_touching_each_other() {
         let own = draw(&gpu, &mut alone, &prepared);
         let own_region = prepared.report().lights[0].region.unwrap();
         let (one, other) = (square(&own, &own_region), square(&map, region));
-        let differing = one.chunks_exact(4).zip(other.chunks_exact(4)).filter(|(one, other)| one != other).count();
+        let differing =
+            one.chunks_exact(4).zip(other.chunks_exact(4)).filter(|(one, other)| one != other).count();
         println!("{differing} texels differ in {region:?}");
         assert!(differing * 500 < one.len() / 4, "{differing} of {} texels differ", one.len() / 4);
         assert!(*region != own_region || differing == 0, "{differing} texels differ in the same place");

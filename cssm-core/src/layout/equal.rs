@@ -5,19 +5,23 @@
 //! width over all partitions is found by dynamic programming. The footprint at which it equals the map's width is the
 //! answer: a minimum of continuous functions of view and light, and so continuous itself.
 
-use super::curve::{self, Curve, WIDTHS};
+use super::spread::{self, Curve, WIDTHS};
 use super::strips::{self, Strip};
 use super::{MapArea, Placement, TileDemand};
 use crate::plan::PlanError;
 
-/// Rounds of the search for the footprint; a dozen is usual.
+/// Rounds of the search for the footprint; half a dozen is usual.
 const ROUNDS: u32 = 40;
 /// Relative precision of the footprint.
 const PRECISION: f64 = 1e-5;
+/// Share of the map that tiles of least sides would fill, where the search begins.
+const FIRST_FILL: f64 = 0.8;
 
 pub(super) fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Placement>, PlanError> {
     let fold = Fold::new(demands, area);
-    let placed = fold.smallest().and_then(|(footprint, runs)| {
+    let mut search = Search::new(&fold);
+    let placed = search.smallest(&fold).and_then(|footprint| {
+        let runs = &search.best;
         let strips: Vec<Strip> = runs.iter().map(|run| fold.strip(run, footprint)).collect();
         let tiles = strips::tiles(&strips, demands.len(), area, true)?;
         let turned = runs.iter().flat_map(|run| fold.turned(run));
@@ -35,9 +39,15 @@ struct Run {
     width: f64,
 }
 
+impl Run {
+    const NONE: Self = Self { from: 0, to: 0, width: 0.0 };
+}
+
 struct Fold {
     widths: [f64; WIDTHS],
     curves: Vec<Curve>,
+    /// Footprint at which tiles of least sides would fill the map.
+    first: f64,
     map_width: f64,
     map_height: f64,
     gutters: f64,
@@ -47,103 +57,34 @@ struct Fold {
 
 impl Fold {
     fn new(demands: &[TileDemand], area: &MapArea) -> Self {
-        let widths = curve::widths(demands);
+        let widths = spread::widths(demands.iter().map(|demand| (demand.spread, demand.may_turn)));
+        let curve = |demand: &TileDemand| demand.spread.curve(demand.may_turn, &widths);
+        let (map_width, map_height) = (f64::from(area.width), f64::from(area.height));
+        let least: f64 = demands.iter().map(|demand| demand.spread.least_area()).sum();
+        let first = (least / (FIRST_FILL * map_width * map_height)).sqrt();
         Self {
-            curves: demands.iter().map(|demand| Curve::new(demand, &widths)).collect(),
+            curves: demands.iter().map(curve).collect(),
+            first: if first.is_normal() { first } else { widths[WIDTHS - 1] / map_width },
             widths,
-            map_width: f64::from(area.width),
-            map_height: f64::from(area.height),
+            map_width,
+            map_height,
             gutters: 2.0 * f64::from(area.gutter),
             smallest_side: f64::from(area.smallest_side()),
             strips: area.strips.map(|strips| (strips as usize).min(demands.len())),
         }
     }
 
-    /// The smallest footprint at which all tiles fit, and the runs that make it.
-    fn smallest(&self) -> Option<(f64, Vec<Run>)> {
-        let (mut low, mut high) = (0.0, f64::INFINITY);
-        let mut footprint = self.widths[WIDTHS - 1] / self.map_width;
-        let mut found = None;
-        for _ in 0..ROUNDS {
-            let (total, runs) = self.partition(footprint);
-            if total <= self.map_width {
-                high = footprint;
-                found = Some((footprint, runs));
-            } else {
-                low = footprint;
-            }
-            if high.is_finite() && high - low <= PRECISION * high {
-                break;
-            }
-
-            // Areas fall with the square of the footprint; aim just past the goal, so as to close in from both sides.
-            let past = if total <= self.map_width { 1.0 - 0.3 * PRECISION } else { 1.0 + 0.3 * PRECISION };
-            let aim = footprint * (total / self.map_width).sqrt().min(4.0) * past;
-            footprint = match (aim > low && aim < high, high.is_finite()) {
-                (true, _) => aim,
-                (false, true) => 0.5 * (low + high),
-                (false, false) => 2.0 * footprint,
-            };
-        }
-        found
-    }
-
-    /// Least total width of strips that reach a footprint, and their runs; infinite where there are none.
-    fn partition(&self, footprint: f64) -> (f64, Vec<Run>) {
-        // Running sums of the lengths at each width.
-        let tiles = self.curves.len();
-        let mut sums = vec![[0.0; WIDTHS]; tiles + 1];
-        for (tile, curve) in self.curves.iter().enumerate() {
-            for (width, length) in curve.lengths.iter().enumerate() {
-                // Too long is too long: sums keep their precision.
-                let side = self.side(*length, footprint).min(2.0 * self.map_height);
-                sums[tile + 1][width] = sums[tile][width] + side;
-            }
-        }
-
-        // least[s][to]: the first `to` tiles, in s strips where their number is declared.
-        let nothing = Run { from: 0, to: 0, width: 0.0 };
-        let layers = self.strips.map_or(1, |strips| strips + 1);
-        let mut least = vec![vec![(f64::INFINITY, nothing); tiles + 1]; layers];
-        least[0][0].0 = 0.0;
-        for to in 1..=tiles {
-            for from in (0..to).rev() {
-                let Some(width) = self.width(&sums[from], &sums[to]) else { break };
-                let side = self.side(width, footprint);
-                for layer in self.strips.map_or(0, |_| 1)..layers {
-                    let total = least[layer - self.strips.map_or(0, |_| 1)][from].0 + side;
-                    if total < least[layer][to].0 {
-                        least[layer][to] = (total, Run { from, to, width });
-                    }
-                }
-            }
-        }
-
-        // Walk back from the last tile.
-        let (mut layer, mut to) = (layers - 1, tiles);
-        let total = least[layer][tiles].0;
-        let mut runs = Vec::new();
-        while to > 0 && total.is_finite() {
-            let run = least[layer][to].1;
-            runs.push(run);
-            to = run.from;
-            layer -= self.strips.map_or(0, |_| 1);
-        }
-        runs.reverse();
-        (total, runs)
-    }
-
-    /// Width at which a run's lengths add up to the map's height; `None` where no width is enough.
-    fn width(&self, before: &[f64; WIDTHS], after: &[f64; WIDTHS]) -> Option<f64> {
+    /// Inner width at which the lengths of a run add up to the map's height, among the widths from `start` on, where it
+    /// goes on from; `None` where no width is enough.
+    fn width(&self, before: &[f64; WIDTHS], after: &[f64; WIDTHS], start: &mut usize) -> Option<f64> {
         let need = |index: usize| after[index] - before[index];
-        if need(WIDTHS - 1) > self.map_height {
-            return None;
+        while need(*start) > self.map_height {
+            *start += 1;
+            if *start == WIDTHS {
+                return None;
+            }
         }
-        let (mut low, mut high) = (0, WIDTHS - 1);
-        while low < high {
-            let middle = (low + high) / 2;
-            if need(middle) <= self.map_height { high = middle } else { low = middle + 1 }
-        }
+        let high = *start;
         if high == 0 {
             return Some(self.widths[0]);
         }
@@ -179,5 +120,115 @@ impl Fold {
     fn turned(&self, run: &Run) -> impl Iterator<Item = bool> {
         let (above, _) = self.between(run);
         (run.from..run.to).map(move |index| self.curves[index].turned[above])
+    }
+}
+
+/// The search for the footprint, with what its rounds share.
+struct Search {
+    /// Running sums of the lengths at each width.
+    sums: Vec<[f64; WIDTHS]>,
+    /// Least width and last run of the first tiles, in each number of strips where that is declared.
+    least: Vec<(f64, Run)>,
+    /// Runs of the best partition so far.
+    best: Vec<Run>,
+}
+
+impl Search {
+    fn new(fold: &Fold) -> Self {
+        let places = fold.curves.len() + 1;
+        let layers = fold.strips.map_or(1, |strips| strips + 1);
+        Self {
+            sums: vec![[0.0; WIDTHS]; places],
+            least: vec![(f64::INFINITY, Run::NONE); places * layers],
+            best: Vec::with_capacity(places),
+        }
+    }
+
+    /// The smallest footprint at which all tiles fit; leaves the runs that make it in `best`.
+    fn smallest(&mut self, fold: &Fold) -> Option<f64> {
+        let (mut low, mut high) = (0.0, f64::INFINITY);
+        let mut footprint = fold.first;
+        let mut found = None;
+        let mut last: Option<(f64, f64)> = None;
+        for _ in 0..ROUNDS {
+            let total = self.partition(footprint, fold);
+            if total <= fold.map_width {
+                high = footprint;
+                found = Some(footprint);
+                self.keep(fold);
+            } else {
+                low = footprint;
+            }
+            if high.is_finite() && high - low <= PRECISION * high {
+                break;
+            }
+
+            // Aim by the slope between the last two rounds, or as areas fall: with the square of the footprint. Aim just
+            // past the goal, so as to close in from both sides.
+            let past = if total <= fold.map_width { 1.0 - 0.3 * PRECISION } else { 1.0 + 0.3 * PRECISION };
+            let excess = libm::log(total / fold.map_width);
+            let slope = last.map(|(other, before)| (excess - before) / libm::log(footprint / other));
+            let slope = slope.filter(|slope| (-4.0..-0.5).contains(slope)).unwrap_or(-2.0);
+            last = excess.is_finite().then_some((footprint, excess));
+            let aim = footprint * libm::exp((excess / -slope).min(1.4)) * past;
+            footprint = match (aim > low && aim < high, high.is_finite()) {
+                (true, _) => aim,
+                (false, true) => 0.5 * (low + high),
+                (false, false) => 2.0 * footprint,
+            };
+        }
+        found
+    }
+
+    /// Least total width of strips that reach a footprint; infinite where there are none.
+    fn partition(&mut self, footprint: f64, fold: &Fold) -> f64 {
+        // Add up the lengths at each width; too long is too long: sums keep their precision.
+        let tiles = fold.curves.len();
+        let (per_footprint, longest) = (1.0 / footprint, 2.0 * fold.map_height);
+        let mut sum = [0.0; WIDTHS];
+        for (curve, place) in fold.curves.iter().zip(&mut self.sums[1..]) {
+            for (sum, length) in sum.iter_mut().zip(&curve.lengths) {
+                *sum += (length * per_footprint + fold.gutters).max(fold.smallest_side).min(longest);
+            }
+            *place = sum;
+        }
+
+        // least[strips][to]: the first `to` tiles, in so many strips where their number is declared.
+        let places = tiles + 1;
+        self.least.fill((f64::INFINITY, Run::NONE));
+        self.least[0].0 = 0.0;
+        let step = usize::from(fold.strips.is_some());
+        let layers = self.least.len() / places;
+        for to in 1..=tiles {
+            let mut start = 0;
+            for from in (0..to).rev() {
+                // Longer runs need more width.
+                let Some(width) = fold.width(&self.sums[from], &self.sums[to], &mut start) else { break };
+                let side = fold.side(width, footprint);
+                for layer in step..layers {
+                    let total = self.least[(layer - step) * places + from].0 + side;
+                    let least = &mut self.least[layer * places + to];
+                    if total < least.0 {
+                        *least = (total, Run { from, to, width });
+                    }
+                }
+            }
+        }
+        self.least[layers * places - 1].0
+    }
+
+    /// Keeps the runs of the last partition: walks back from the last tile.
+    fn keep(&mut self, fold: &Fold) {
+        let places = fold.curves.len() + 1;
+        let step = usize::from(fold.strips.is_some());
+        let (mut layer, mut to) = (self.least.len() / places - 1, places - 1);
+        self.best.clear();
+        while to > 0 {
+            let (_, run) = self.least[layer * places + to];
+            self.best.push(run);
+            to = run.from;
+            layer = layer.saturating_sub(step);
+        }
+        self.best.reverse();
     }
 }

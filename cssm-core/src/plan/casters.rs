@@ -1,32 +1,39 @@
 //! Which casters can matter to a facet: the volume its receivers sweep towards the light.
 
-use glam::DVec4;
+use glam::{DVec2, DVec4};
 
 use crate::facet::{FacetRows, Tile};
-use crate::polygon;
-use crate::receivers::Polytope;
 
 /// Sine of the angle between a plane and the light below which the plane counts as containing it.
 const CONTAINS_LIGHT: f64 = 1e-9;
 /// Filter taps beyond the receivers' silhouette, in texels, when the tile has no gutter.
 const FEWEST_TEXELS: f64 = 1.0;
 
-/// Half-spaces around everything whose shadow can reach the receivers or the filter taps around them. All rows are in
-/// the space of `light`.
-pub(super) fn planes(rows: &FacetRows, tile: &Tile, receivers: &Polytope, light: DVec4) -> Vec<DVec4> {
+/// Half-spaces around everything whose shadow can reach receivers, given by their own half-spaces and their outline in
+/// x/w and y/w, or the filter taps around them. All rows are in the space of `light`.
+pub(super) fn planes(
+    rows: &FacetRows,
+    tile: &Tile,
+    receivers: &[DVec4],
+    outline: &[DVec2],
+    light: DVec4,
+) -> Vec<DVec4> {
     // Below: moving away from the light never enters a half-space that faces it.
-    let below = receivers.planes.iter().map(|plane| *plane / plane.truncate().length());
-    let mut planes: Vec<DVec4> = below.filter(|plane| plane.dot(light) > CONTAINS_LIGHT).collect();
+    let mut planes = Vec::with_capacity(receivers.len() + outline.len().max(4) + 1);
+    let below = receivers.iter().map(|plane| *plane / plane.truncate().length());
+    planes.extend(below.filter(|plane| plane.dot(light) > CONTAINS_LIGHT));
 
     // Around: the silhouette of the receivers in the light's view, moved out by the gutter.
     let margin = f64::from(tile.gutter).max(FEWEST_TEXELS);
     let (texel_x, texel_y) = (2.0 * margin / f64::from(tile.width), 2.0 * margin / f64::from(tile.height));
     let reach_y = |k: f64| {
+        if rows.remap.is_none() {
+            return texel_y;
+        }
         let y = rows.remap.y(k);
         let reach = |y: f64| libm::fabs(rows.remap.k(y) - k);
         reach(y + texel_y).max(reach(y - texel_y))
     };
-    let outline = polygon::outline(rows, &receivers.vertices);
     if outline.len() >= 3 {
         let next = outline.iter().cycle().skip(1);
         planes.extend(outline.iter().zip(next).map(|(one, two)| {

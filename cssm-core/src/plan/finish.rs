@@ -1,17 +1,25 @@
 //! The rest of a facet once its tile is known: gutters, depth row, bias figures, caster planes.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
+use smallvec::SmallVec;
 
+use super::casters;
 use super::fitted::map_area;
+<<<<<<< HEAD
 use super::window::Window;
 use super::{casters, region};
 use crate::case::{Bias, DepthFormat, Filter, LightCase};
 use crate::depth::{DepthNeeds, depth_row};
+=======
+use super::region::{self, Inset};
+use super::window::{Sample, Window, Windows};
+use crate::case::{Bias, DepthFormat, LightCase};
+use crate::depth::{COMPARED_SAMPLES, DepthNeeds, DepthRow, depth_rows};
+>>>>>>> plan
 use crate::facet::{Facet, FacetRows, Tile};
-use crate::footprint::quantile;
-use crate::homography::{Gradients, singular_values};
 use crate::plan::{DepthOrder, PlanError};
 use crate::technique::Situation;
+use crate::view::View;
 
 /// Depth rounding of f32 rows, interpolation and storage of a float map, in units of depth.
 const FLOAT_ROUNDING: f64 = 3e-7;
@@ -31,81 +39,120 @@ const NEAR_SHARE_UNORM: f64 = 0.02;
 /// Tangent of the steepest surface that keeps room for a slope bias.
 const STEEPEST_SLOPE: f64 = 20.0;
 
-/// How a plan keeps precision.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct DepthRules {
-    /// Which end of stored depth lies towards the light.
-    pub(super) order: DepthOrder,
-    /// Shear of positions.
-    pub(super) shear: DVec2,
+/// A facet in camera space, but for its depth.
+#[derive(Debug)]
+pub(super) struct Finished {
+    /// The facet; its z row is the w row, and figures of depth are those of one per metre.
+    facet: Facet,
+    /// Its depth row under each order.
+    depths: [Option<DepthRow>; 2],
+    /// Larger texel axis across the light in metres, per w.
+    texel: f64,
+    /// Samples of the view in it.
+    seen: usize,
 }
 
-/// Finishes a facet in camera space; also says how far rounding moves its depth, in float steps and texels.
+/// Everything of a window's facet but the choice of its depth.
 pub(super) fn finish(
+    windows: &Windows<'_>,
     window: &Window<'_>,
     tile: Tile,
     cells: Vec<u32>,
-    rules: DepthRules,
+    depth: Depth<'_>,
     situation: &Situation<'_>,
-) -> Result<(Facet, f64), PlanError> {
+) -> Result<Finished, PlanError> {
     // Keep gutters free.
-    let inset = region::inset(&window.rows, &window.draft.region, &tile);
-    let (mut rows, clip) = inset.ok_or_else(|| map_area(situation).too_small(1))?;
+    let inset = region::inset(window, &tile);
+    let Inset { rows, clip, outline, inner_texels } =
+        inset.ok_or_else(|| map_area(situation).too_small(1))?;
 
     // Measure texels across the light, per w.
+<<<<<<< HEAD
     let texels = TexelsPerW::measure(&rows, &tile, &window.samples);
     let extension = PLANE_EXTENSION_TEXELS.max(situation.case.filter.radius_texels() + 1);
     let margin = f64::from(extension) * texels.major + bias_metres_per_w(situation.case, &texels, window);
+=======
+    let samples = windows.samples(window);
+    let texels = TexelsPerW::measure(&rows, inner_texels, samples, situation.view);
+    let margin =
+        PLANE_EXTENSION_TEXELS * texels.major + bias_metres_per_w(situation.case, &texels, &rows, samples);
+>>>>>>> plan
     let receivers = &window.draft.receivers;
     let width = texels.major * f64::from(tile.width.max(tile.height));
     let farthest = FARTHEST_PIXELS * situation.view.pixels_per_tangent() * width;
     let needs = DepthNeeds {
         light: situation.light,
         receivers,
-        samples: &window.samples,
         margin_metres_per_w: margin,
         headroom_per_w: headroom_per_w(situation.case, &texels),
-        near_w: near_w(&rows, window, situation),
+        near_w: near_w(&rows, samples, situation),
         farthest_metres_per_w: farthest,
-        order: rules.order,
-        shear: rules.shear,
+        orders: depth.orders,
+        shear: depth.shear,
     };
-    let depth = depth_row(&rows, &needs).ok_or(PlanError::Degenerate {
-        facet: cells.first().copied().unwrap_or(0),
-        why: "its receivers have no extent along the light",
-    })?;
-    rows.z = depth.row;
+    let depths = depth_rows(&rows, &needs, samples.iter().map(|sample| sample.point));
     let rounding = FLOAT_ROUNDING + 1.5 * situation.case.map.format.rounding();
-
     let facet = Facet {
         cells,
-        rows,
         select: window.draft.select.clone(),
         clip,
-        casters: casters::planes(&rows, &tile, receivers, situation.light),
+        casters: casters::planes(&rows, &tile, &receivers.planes, &outline, situation.light),
         receivers: receivers.vertices.clone(),
+        rows,
         tile,
-        depth_per_metre: depth.depth_per_metre,
+        depth_per_metre: 1.0,
         texel_metres_per_w: texels.major,
-        receiver_plane_depth: RECEIVER_PLANE_TEXELS * texels.minor * depth.depth_per_metre,
+        receiver_plane_depth: RECEIVER_PLANE_TEXELS * texels.minor,
         rounding_depth: rounding,
     };
-    Ok((facet, depth.rounding / texels.major.max(f64::MIN_POSITIVE)))
+    Ok(Finished { facet, depths, texel: texels.major, seen: window.seen })
+}
+
+/// How plans may keep precision.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Depth<'a> {
+    /// Which ends of stored depth may lie towards the light; two at most.
+    pub(super) orders: &'a [DepthOrder],
+    /// Shear of positions.
+    pub(super) shear: DVec2,
+}
+
+impl Finished {
+    /// How far rounding moves depth under an order: the logarithm of texels, times the view's samples. `None` where the
+    /// order has no depth row.
+    pub(super) fn moved(&self, order: usize) -> Option<f64> {
+        let depth = self.depths.get(order).copied().flatten()?;
+        let moved = depth.rounding / self.texel.max(f64::MIN_POSITIVE);
+        Some(self.seen as f64 * libm::log(moved.max(f64::MIN_POSITIVE)))
+    }
+
+    /// The facet with its depth under an order.
+    pub(super) fn stored(self, order: usize) -> Result<Facet, PlanError> {
+        let mut facet = self.facet;
+        let depth = self.depths.get(order).copied().flatten();
+        let depth = depth.ok_or(PlanError::Degenerate {
+            facet: facet.first_cell(),
+            why: "its receivers have no extent along the light",
+        })?;
+        facet.rows.z = depth.row;
+        facet.depth_per_metre = depth.depth_per_metre;
+        facet.receiver_plane_depth *= depth.depth_per_metre;
+        Ok(facet)
+    }
 }
 
 /// Smallest w of receivers of a local light, in w of the median receiver, by what a map format can tell apart.
-fn near_w(rows: &FacetRows, window: &Window<'_>, situation: &Situation<'_>) -> Option<f64> {
+fn near_w(rows: &FacetRows, samples: &[Sample], situation: &Situation<'_>) -> Option<f64> {
     if situation.light.w == 0.0 {
         return None;
     }
-    let mut reached: Vec<f64> = window.samples.iter().map(|point| rows.w.dot(point.extend(1.0))).collect();
-    reached.retain(|w| *w > 0.0);
-    reached.sort_by(f64::total_cmp);
+    let reached = samples.iter().map(|sample| rows.w.dot(sample.point.extend(1.0)));
+    let mut reached: SmallVec<[f64; COMPARED_SAMPLES]> = reached.filter(|w| *w > 0.0).collect();
     let share = match situation.case.map.format {
         DepthFormat::Depth32Float => NEAR_SHARE_FLOAT,
         DepthFormat::Depth16Unorm => NEAR_SHARE_UNORM,
     };
-    (!reached.is_empty()).then(|| quantile(&reached, 0.5) * share)
+    (!reached.is_empty()).then(|| median(&mut reached) * share)
 }
 
 /// Median texel axes across the light in metres, divided by w.
@@ -115,23 +162,21 @@ struct TexelsPerW {
 }
 
 impl TexelsPerW {
-    fn measure(rows: &FacetRows, tile: &Tile, samples: &[DVec3]) -> Self {
-        let (mut majors, mut minors) = (Vec::new(), Vec::new());
-        for point in samples {
-            let gradients = Gradients::at(rows, *point);
-            let (across, up) = gradients.across_light();
-            let (across, up) = (across * (2.0 / f64::from(tile.width)), up * (2.0 / f64::from(tile.height)));
-            let (major, minor) = singular_values(across, up);
-            if major.is_finite() && gradients.w > 0.0 {
-                majors.push(major / gradients.w);
-                minors.push(minor / gradients.w);
+    /// Axes at samples, evenly picked where there are many, of texels that so many would fill the window of.
+    fn measure(rows: &FacetRows, inner_texels: DVec2, samples: &[Sample], view: &View) -> Self {
+        let mut majors: SmallVec<[f64; COMPARED_SAMPLES]> = SmallVec::new();
+        let mut minors: SmallVec<[f64; COMPARED_SAMPLES]> = SmallVec::new();
+        let step = samples.len().div_ceil(COMPARED_SAMPLES).max(1);
+        for Sample { point, gram } in samples.iter().step_by(step) {
+            let w = rows.w.dot(point.extend(1.0));
+            let (major, minor) = gram.axes_pixels(inner_texels.x, inner_texels.y);
+            let metres_per_w = -point.z / (view.pixels_per_tangent() * w);
+            if major.is_finite() && w > 0.0 {
+                majors.push(major * metres_per_w);
+                minors.push(minor * metres_per_w);
             }
         }
-        let median = |mut values: Vec<f64>| {
-            values.sort_by(f64::total_cmp);
-            if values.is_empty() { 0.0 } else { quantile(&values, 0.5) }
-        };
-        Self { major: median(majors), minor: median(minors) }
+        Self { major: median(&mut majors), minor: median(&mut minors) }
     }
 }
 
@@ -144,10 +189,22 @@ fn headroom_per_w(case: &LightCase, texels: &TexelsPerW) -> f64 {
     }
 }
 
+/// The middle value, between the two in the middle where their number is even; 0 where there is none.
+fn median(values: &mut [f64]) -> f64 {
+    let middle = values.len() / 2;
+    let is_even = values.len().is_multiple_of(2);
+    if values.is_empty() {
+        return 0.0;
+    }
+    let (lower, above, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
+    let below = lower.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if is_even { 0.5 * (below + *above) } else { *above }
+}
+
 /// Largest bias of the case in metres along the light, per w.
-fn bias_metres_per_w(case: &LightCase, texels: &TexelsPerW, window: &Window<'_>) -> f64 {
+fn bias_metres_per_w(case: &LightCase, texels: &TexelsPerW, rows: &FacetRows, samples: &[Sample]) -> f64 {
     let constant = |metres: f64| {
-        let smallest_w = window.samples.iter().map(|point| window.rows.w.dot(point.extend(1.0)));
+        let smallest_w = samples.iter().map(|sample| rows.w.dot(sample.point.extend(1.0)));
         metres / smallest_w.fold(f64::INFINITY, f64::min)
     };
     match case.bias {

@@ -1,18 +1,19 @@
 //! A draft fitted to the map: windows, tiles, predicted quality.
 
 use glam::DVec3;
+use smallvec::SmallVec;
 
 use super::PlanError;
-use super::window::{self, Window};
+use super::window::{self, Windows};
 use crate::choose::Prediction;
 use crate::facet::Tile;
-use crate::layout::{self, MapArea, TileDemand};
+use crate::layout::{self, MapArea, Spread, TileDemand};
 use crate::technique::{Draft, Region, Situation};
 
 /// A draft with a tile for every facet that has receivers.
 pub(super) struct Fitted<'a> {
     pub(super) draft: &'a Draft,
-    pub(super) windows: Vec<Window<'a>>,
+    pub(super) windows: Windows<'a>,
     /// Tile of each window.
     pub(super) tiles: Vec<Tile>,
     /// 95th percentile of the footprint over sample receivers; infinite where too many have no facet.
@@ -29,19 +30,28 @@ impl Fitted<'_> {
     }
 }
 
+/// Share of sample receivers whose footprint is not above the predicted one.
+const PREDICTED: f64 = 0.95;
+
 /// Fits the windows of a draft and shares the situation's part of the map among them; tiles count from its corner.
 pub(super) fn fit<'a>(
     draft: &'a Draft,
     situation: &Situation<'_>,
     samples: &[DVec3],
 ) -> Result<Fitted<'a>, PlanError> {
-    let (mut windows, outside) = window::fit(draft, situation, samples);
-    let whole = map_area(situation);
+    let mut windows = window::fit(draft, situation, samples);
+    let tiles = tiles(&mut windows, situation)?;
+    let p95_pixels = predicted(&windows, &tiles);
+    Ok(Fitted { draft, windows, tiles, p95_pixels })
+}
 
+/// The tile of each window; windows that lie better turned are turned.
+fn tiles(windows: &mut Windows<'_>, situation: &Situation<'_>) -> Result<Vec<Tile>, PlanError> {
     // The dominant plane's facet takes a strip over the whole width: it is as wide as the screen.
-    let has_dominant = windows.iter().any(|window| window.draft.is_dominant());
+    let whole = map_area(situation);
+    let has_dominant = windows.list.iter().any(|window| window.draft.is_dominant());
     if has_dominant && whole.height < 2 * whole.smallest_side() {
-        return Err(whole.too_small(windows.len()));
+        return Err(whole.too_small(windows.list.len()));
     }
     let strip = has_dominant.then(|| {
         let share = situation.case.dominant_plane.map_or(0.0, |plane| plane.share);
@@ -50,57 +60,69 @@ pub(super) fn fit<'a>(
     });
     let area = MapArea { height: whole.height - strip.unwrap_or(0), ..whole };
     let strip =
-        strip.map(|height| Tile { x: 0, y: area.height, width: whole.width, height, gutter: whole.gutter });
+        Tile { x: 0, y: area.height, width: whole.width, height: strip.unwrap_or(0), gutter: whole.gutter };
 
-    // One demand for each tile: a facet's own, or a square's.
-    let mut demands: Vec<TileDemand> = Vec::new();
-    let mut squares: Vec<(u32, usize)> = Vec::new();
-    let mut places = Vec::with_capacity(windows.len());
-    for window in windows.iter().filter(|window| !window.draft.is_dominant()) {
-        let known = match window.draft.region {
+    // Find who shares a tile: the facets of a square.
+    let mut shared: SmallVec<[SmallVec<[usize; 4]>; 4]> = SmallVec::new();
+    let mut squares: SmallVec<[(u32, usize); 4]> = SmallVec::new();
+    for (index, window) in windows.list.iter().enumerate().filter(|(_, window)| !window.draft.is_dominant()) {
+        let square = match window.draft.region {
             Region::Tile(_) | Region::Whole(_) => None,
-            Region::Triangle { square, .. } => squares.iter().find(|(known, _)| *known == square),
+            Region::Triangle { square, .. } => Some(square),
         };
-        let place = match known {
-            Some((_, place)) => {
-                demands[*place].samples.extend_from_slice(&window.grams);
-                *place
-            }
+        let known = square.and_then(|square| squares.iter().find(|(known, _)| *known == square));
+        match known {
+            Some((_, place)) => shared[*place].push(index),
             None => {
-                demands.push(window.demand());
-                if let Region::Triangle { square, .. } = window.draft.region {
-                    squares.push((square, demands.len() - 1));
-                }
-                demands.len() - 1
+                squares.extend(square.map(|square| (square, shared.len())));
+                shared.push(SmallVec::from_slice(&[index]));
             }
-        };
-        places.push(place);
+        }
     }
-    let placed = if demands.is_empty() { Vec::new() } else { layout::place(&demands, &area)? };
-    let mut places = places.into_iter();
-    let tile = |window: &mut Window<'_>| match strip {
-        Some(strip) if window.draft.is_dominant() => Some(strip),
-        _ => places.next().map(|place| {
-            if placed[place].turned {
-                window.turn();
-            }
-            placed[place].tile
-        }),
-    };
-    let tiles: Vec<Tile> = windows.iter_mut().filter_map(tile).collect();
 
-    // Predict over the view's own samples, not over those added where a facet had few.
-    let mut footprints = vec![f64::INFINITY; outside];
-    for (window, tile) in windows.iter().zip(&tiles) {
+    // One demand for each tile; where footprints are not balanced, nobody asks what a tile spans.
+    let first = |sharers: &SmallVec<[usize; 4]>| &windows.list[sharers[0]];
+    let balanced = shared.iter().all(|sharers| layout::is_balanced(first(sharers).request()));
+    let demand = |sharers: &SmallVec<[usize; 4]>| TileDemand {
+        request: first(sharers).request(),
+        spread: if balanced { windows.spread(sharers) } else { Spread::NONE },
+        may_turn: first(sharers).may_turn(),
+    };
+    let demands: SmallVec<[TileDemand; 8]> = shared.iter().map(demand).collect();
+    let placed = if demands.is_empty() { Vec::new() } else { layout::place(&demands, &area)? };
+    let mut tiles = vec![strip; windows.list.len()];
+    for (sharers, placement) in shared.iter().zip(&placed) {
+        for index in sharers {
+            tiles[*index] = placement.tile;
+            if placement.turned {
+                windows.turn(*index);
+            }
+        }
+    }
+    Ok(tiles)
+}
+
+/// The predicted footprint: over the view's own samples, not over those added where a facet had few.
+fn predicted(windows: &Windows<'_>, tiles: &[Tile]) -> f64 {
+    let seen: usize = windows.list.iter().map(|window| window.seen).sum();
+    let mut squares = Vec::with_capacity(seen);
+    for (window, tile) in windows.list.iter().zip(tiles) {
         let inner = |side: u32| f64::from(side.saturating_sub(2 * tile.gutter));
         let (width, height) = (inner(tile.width), inner(tile.height));
-        let seen = window.grams.iter().take(window.seen);
-        footprints.extend(seen.map(|gram| gram.major_pixels(width, height)));
+        let samples = &windows.samples(window)[..window.seen];
+        squares.extend(samples.iter().map(|sample| sample.gram.major_square(width, height)));
     }
-    footprints.sort_by(f64::total_cmp);
-    let rank = (0.95 * footprints.len() as f64) as usize;
-    let p95_pixels = footprints.get(rank).copied().unwrap_or(0.0);
-    Ok(Fitted { draft, windows, tiles, p95_pixels })
+    let count = squares.len() + windows.outside;
+    let rank = (PREDICTED * count as f64) as usize;
+    if rank >= count {
+        return 0.0;
+    }
+    if rank >= squares.len() {
+        // Those without a facet come last.
+        return f64::INFINITY;
+    }
+    let (_, square, _) = squares.select_nth_unstable_by(rank, f64::total_cmp);
+    square.sqrt()
 }
 
 /// The part of the map that a situation's facets share.

@@ -9,7 +9,7 @@ use super::{DepthOrder, PlanError, PlanRequest, ShadowPlan, ViewMargin, dominant
 use crate::case::{LightCase, LightKind};
 use crate::choose::{ChoiceReason, ConfigurationChoice, Kept, Prediction, choose, made_for};
 use crate::distribution;
-use crate::facet::{Facet, Selection, Tile};
+use crate::facet::{Facet, Selection};
 use crate::light::LightPosition;
 use crate::schema::Word;
 use crate::technique::{Draft, Situation};
@@ -114,14 +114,24 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     let Fitted { draft, windows, tiles, p95_pixels } = fitted.swap_remove(best_draft);
 
     // Store depth the way that rounds least.
-    let finished = |order: &DepthOrder| {
-        let rules = finish::DepthRules { order: *order, shear };
-        finish_all(&windows, &tiles, rules, &situation).map(|(facets, rounding)| (*order, facets, rounding))
-    };
-    let finished = any(orders(case, light_camera).iter().map(finished))?;
-    let best = finished.into_iter().min_by(|(.., one), (.., two)| one.total_cmp(two));
-    let (depth_order, facets, _) =
-        best.ok_or(PlanError::Degenerate { facet: 0, why: "its depth has no order" })?;
+    let shape = case.shape();
+    let depth = finish::Depth { orders: orders(case, light_camera), shear };
+    let mut finished = Vec::with_capacity(windows.list.len());
+    for (window, tile) in windows.list.iter().zip(&tiles) {
+        let cells = if window.draft.is_dominant() {
+            vec![shape.cells() - 1]
+        } else {
+            window.draft.cells.iter().map(|cell| cell.index(shape.sectors, shape.bands)).collect()
+        };
+        finished.push(finish::finish(&windows, window, *tile, cells, depth, &situation)?);
+    }
+    let moved = |order: usize| finished.iter().map(|facet| facet.moved(order)).sum::<Option<f64>>();
+    let sums = (0..depth.orders.len()).filter_map(|order| Some((order, moved(order)?)));
+    let best_order = sums.min_by(|(_, one), (_, two)| one.total_cmp(two)).map_or(0, |(order, _)| order);
+    let depth_order = depth.orders[best_order];
+    let facets: Result<Vec<Facet>, PlanError> =
+        finished.into_iter().map(|facet| facet.stored(best_order)).collect();
+    let facets = facets?;
 
     // The one facet over what is seen of some volumes holds less than everything visible.
     let mut own = draft.facets.iter().filter(|facet| !facet.is_dominant());
@@ -198,30 +208,6 @@ fn walk(selection: Selection, case: &LightCase, row_to_world: &impl Fn(DVec4) ->
         *row = row_to_world(*row);
     }
     selection
-}
-
-/// Finishes every window in camera space; also says how far rounding moves depth: the logarithm of texels, averaged over
-/// the receivers of the view.
-fn finish_all(
-    windows: &[window::Window<'_>],
-    tiles: &[Tile],
-    rules: finish::DepthRules,
-    situation: &Situation<'_>,
-) -> Result<(Vec<Facet>, f64), PlanError> {
-    let shape = situation.case.shape();
-    let mut facets = Vec::with_capacity(windows.len());
-    let mut moved = 0.0;
-    for (window, tile) in windows.iter().zip(tiles) {
-        let cells = if window.draft.is_dominant() {
-            vec![shape.cells() - 1]
-        } else {
-            window.draft.cells.iter().map(|cell| cell.index(shape.sectors, shape.bands)).collect()
-        };
-        let (facet, rounding) = finish::finish(window, *tile, cells, rules, situation)?;
-        moved += window.seen as f64 * libm::log(rounding.max(f64::MIN_POSITIVE));
-        facets.push(facet);
-    }
-    Ok((facets, moved))
 }
 
 /// What succeeded; the first error only where nothing did.

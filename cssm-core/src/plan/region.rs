@@ -2,25 +2,54 @@
 
 use glam::{DVec2, DVec4};
 
+use super::window::Window;
 use crate::facet::{FacetRows, Tile};
+use crate::polygon::Outline;
 use crate::technique::Region;
 
 /// Smallest radius of the circle inside a triangle's receivers, in texels.
 const SMALLEST_RADIUS_TEXELS: f64 = 1.0;
 
+/// A window within its tile.
+#[derive(Debug)]
+pub(super) struct Inset {
+    /// Its rows.
+    pub(super) rows: FacetRows,
+    /// Half-spaces that casters are cut with.
+    pub(super) clip: Vec<DVec4>,
+    /// Outline of its receivers in x/w and y/w.
+    pub(super) outline: Outline,
+    /// Texels that the window's clip space, before it was moved, takes across and up.
+    pub(super) inner_texels: DVec2,
+}
+
 /// Moves x and y rows off the tile's edges and off its neighbours in a shared tile by the gutter, and finds the
 /// half-spaces that casters are cut with. `None` when the gutters leave nothing.
-pub(super) fn inset(rows: &FacetRows, region: &Region, tile: &Tile) -> Option<(FacetRows, Vec<DVec4>)> {
+pub(super) fn inset(window: &Window<'_>, tile: &Tile) -> Option<Inset> {
+    let rows = &window.rows;
+    let (rows, clip, scale, shift) = moved(rows, &window.draft.region, tile)?;
+    let place = |corner: &DVec2| {
+        let y = if rows.remap.is_none() { corner.y * scale.y + shift.y } else { corner.y };
+        DVec2::new(corner.x * scale.x + shift.x, y)
+    };
+    let outline = window.outline.iter().map(place).collect();
+    let inner_texels = scale * DVec2::new(f64::from(tile.width), f64::from(tile.height));
+    Some(Inset { rows, clip, outline, inner_texels })
+}
+
+/// The rows within their tile, half-spaces that casters are cut with, and what clip space was scaled and then shifted by.
+fn moved(rows: &FacetRows, region: &Region, tile: &Tile) -> Option<(FacetRows, Vec<DVec4>, DVec2, DVec2)> {
     match region {
         Region::Tile(_) | Region::Whole(_) => {
             let inner = |side: u32| f64::from(side - 2 * tile.gutter) / f64::from(side);
-            let across = rows.x * inner(tile.width);
+            let scale = DVec2::new(inner(tile.width), inner(tile.height));
+            let across = rows.x * scale.x;
             let rows = if rows.remap.is_none() {
-                FacetRows { x: across, y: rows.y * inner(tile.height), ..*rows }
+                FacetRows { x: across, y: rows.y * scale.y, ..*rows }
             } else {
-                FacetRows { x: across, remap: rows.remap.scaled(inner(tile.height)), ..*rows }
+                FacetRows { x: across, remap: rows.remap.scaled(scale.y), ..*rows }
             };
-            Some((rows, Vec::new()))
+            Some((rows, Vec::new(), scale, DVec2::ZERO))
         }
         Region::Triangle { corners, .. } => {
             // Shrink the triangle about the centre of its inner circle, measured in texels.
@@ -46,7 +75,8 @@ pub(super) fn inset(rows: &FacetRows, region: &Region, tile: &Tile) -> Option<(F
                 let row = rows.x * inward.x + rows.y * inward.y - rows.w * inward.dot(from);
                 row / row.truncate().length()
             };
-            Some((rows, vec![edge(tip, one), edge(two, tip)]))
+            let clip = vec![edge(tip, one), edge(two, tip)];
+            Some((rows, clip, DVec2::splat(scale), centre * (1.0 - scale)))
         }
     }
 }
@@ -66,7 +96,7 @@ mod tests {
         let tile = Tile { x: 0, y: 0, width: 256, height: 128, gutter: 3 };
         let corners = [DVec2::new(0.2, 0.3), DVec2::new(-1.0, -1.0), DVec2::new(1.0, -1.0)];
         let region = Region::Triangle { square: 0, request: TileRequest::Footprint, corners };
-        let (rows, clips) = inset(&identity(), &region, &tile).unwrap();
+        let (rows, clips, ..) = moved(&identity(), &region, &tile).unwrap();
         assert_eq!(clips.len(), 2);
         let texels = DVec2::new(128.0, 64.0);
         let image = |corner: DVec2| {
@@ -92,6 +122,6 @@ mod tests {
         let tile = Tile { x: 0, y: 0, width: 64, height: 64, gutter: 4 };
         let corners = [DVec2::new(0.0, -0.9), DVec2::new(-1.0, -1.0), DVec2::new(1.0, -1.0)];
         let region = Region::Triangle { square: 0, request: TileRequest::Footprint, corners };
-        assert!(inset(&identity(), &region, &tile).is_none());
+        assert!(moved(&identity(), &region, &tile).is_none());
     }
 }

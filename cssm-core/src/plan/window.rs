@@ -1,26 +1,36 @@
 //! Windows: each facet's rows fitted to its own receivers, and what a texel would span at sample receivers.
 
-use glam::{DVec3, DVec4};
+use std::ops::Range;
 
+use glam::{DVec2, DVec3, DVec4};
+use smallvec::SmallVec;
+
+use super::inner;
 use crate::facet::FacetRows;
-use crate::homography::Gradients;
-use crate::layout::{Gram, TileDemand};
-use crate::polygon;
-use crate::receivers::DEPTH_ROW;
+use crate::layout::{Gram, Spread};
+use crate::polygon::{self, Outline};
+use crate::receivers::Polytope;
 use crate::remap::{Curve, Remap};
-use crate::samples::{self, SAMPLED_HORIZON_METRES};
+use crate::samples;
 use crate::technique::{Draft, FacetDraft, Region, Situation, TileRequest};
 
 /// Sample receivers of a view.
-const SAMPLES: usize = 1024;
+pub(super) const SAMPLES: usize = 1024;
 /// Fewest samples of a facet; the rest come from its own polytope.
 const FEWEST_SAMPLES: usize = 24;
-/// Deepest inner point of a facet that begins beyond the sampled horizon, in depths of its nearest receiver.
-const FARTHEST_PER_NEAREST: f64 = 4.0;
 /// Extent in x/w or y/w, relative to its size, below which a facet holds no receivers of any area.
 const EMPTY_EXTENT: f64 = 1e-12;
 /// Area in clip space, of 4, below which a facet's receivers lie on a line in the light's view.
 const EMPTY_AREA: f64 = 1e-9;
+
+/// A visible point of a facet.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sample {
+    /// The point, camera space.
+    pub(super) point: DVec3,
+    /// What the facet's whole clip space spans there.
+    pub(super) gram: Gram,
+}
 
 /// A facet whose receivers fill its clip space from -1 to 1 across and up; its depth row is not found yet.
 #[derive(Debug)]
@@ -28,40 +38,70 @@ pub(super) struct Window<'a> {
     pub(super) draft: &'a FacetDraft,
     /// x, y and w rows; z is the w row until depth is found.
     pub(super) rows: FacetRows,
-    /// Visible points of the facet, camera space.
-    pub(super) samples: Vec<DVec3>,
-    /// What a texel spans at each sample that has an extent.
-    pub(super) grams: Vec<Gram>,
-    /// Depth of each of those samples, metres.
-    depths: Vec<f64>,
-    /// How many of `grams`, the first ones, come from samples of the view.
+    /// The receivers in x/w and y/w.
+    pub(super) outline: Outline,
+    /// Its samples in the list of all.
+    samples: Range<usize>,
+    /// How many of its samples, the first ones, are samples of the view.
     pub(super) seen: usize,
 }
 
-impl Window<'_> {
-    pub(super) fn demand(&self) -> TileDemand {
-        let request = match self.draft.region {
-            Region::Tile(request) | Region::Whole(request) | Region::Triangle { request, .. } => request,
-        };
-        // Triangles of one square keep their places beside each other; bends belong to y.
-        let may_turn = matches!(self.draft.region, Region::Tile(_)) && self.rows.remap.is_none();
-        let samples = match request {
-            TileRequest::Coarser { times, focus_metres } => {
-                let grams = self.grams.iter().zip(&self.depths);
-                let grown = |depth: f64| times * (depth / focus_metres).max(1.0);
-                grams.map(|(gram, depth)| gram.shortened(grown(*depth))).collect()
-            }
-            _ => self.grams.clone(),
-        };
-        TileDemand { request, samples, may_turn }
+/// The windows of a draft.
+#[derive(Debug)]
+pub(super) struct Windows<'a> {
+    pub(super) list: Vec<Window<'a>>,
+    samples: Vec<Sample>,
+    /// Samples of the view that have no facet.
+    pub(super) outside: usize,
+}
+
+impl Windows<'_> {
+    /// Samples of a window.
+    pub(super) fn samples(&self, window: &Window<'_>) -> &[Sample] {
+        &self.samples[window.samples.clone()]
     }
 
-    /// Turns the clip space by a quarter: y runs along x.
-    pub(super) fn turn(&mut self) {
-        (self.rows.x, self.rows.y) = (self.rows.y, -self.rows.x);
-        for gram in &mut self.grams {
-            *gram = gram.turned();
+    /// Turns a window's clip space by a quarter: y runs along x.
+    pub(super) fn turn(&mut self, index: usize) {
+        let window = &mut self.list[index];
+        (window.rows.x, window.rows.y) = (window.rows.y, -window.rows.x);
+        for corner in &mut window.outline {
+            *corner = DVec2::new(corner.y, -corner.x);
         }
+        for sample in &mut self.samples[window.samples.clone()] {
+            sample.gram = sample.gram.turned();
+        }
+    }
+
+    /// What the tile of some windows must span, who share it.
+    pub(super) fn spread(&self, windows: &[usize]) -> Spread {
+        let count = windows.iter().map(|index| self.list[*index].samples.len()).sum();
+        let grams = windows.iter().flat_map(|index| {
+            let window = &self.list[*index];
+            let coarser = match window.request() {
+                TileRequest::Coarser { times, focus_metres } => Some((times, focus_metres)),
+                _ => None,
+            };
+            self.samples(window).iter().map(move |sample| match coarser {
+                Some((times, focus)) => sample.gram.shortened(times * (-sample.point.z / focus).max(1.0)),
+                None => sample.gram,
+            })
+        });
+        Spread::of(count, grams)
+    }
+}
+
+impl Window<'_> {
+    /// What the technique asked for.
+    pub(super) fn request(&self) -> TileRequest {
+        match self.draft.region {
+            Region::Tile(request) | Region::Whole(request) | Region::Triangle { request, .. } => request,
+        }
+    }
+
+    /// Whether its tile may be turned: triangles of one square keep their places beside each other; bends belong to y.
+    pub(super) fn may_turn(&self) -> bool {
+        matches!(self.draft.region, Region::Tile(_)) && self.rows.remap.is_none()
     }
 }
 
@@ -70,64 +110,89 @@ pub(super) fn samples(situation: &Situation<'_>) -> Vec<DVec3> {
     samples::receivers(situation.view, &situation.receivers, SAMPLES)
 }
 
-/// Fits the window of every facet that has receivers; also says how many samples of the view have no facet.
-pub(super) fn fit<'a>(
-    draft: &'a Draft,
-    situation: &Situation<'_>,
-    samples: &[DVec3],
-) -> (Vec<Window<'a>>, usize) {
+/// Fits the window of every facet that has receivers.
+pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>, samples: &[DVec3]) -> Windows<'a> {
     // Walk each sample to its facet.
     let owners = draft.owners();
-    let mut by_facet = vec![Vec::new(); draft.facets.len()];
-    let mut outside = 0;
+    let facets = draft.facets.len();
+    let mut counts: SmallVec<[usize; 40]> = SmallVec::from_elem(0, facets + 1);
+    let mut owner_of: Vec<u32> = Vec::with_capacity(samples.len());
     for point in samples {
-        match owners.get(draft.selection.cell(point.extend(1.0)) as usize) {
-            Some(Some(facet)) => by_facet[*facet].push(*point),
-            _ => outside += 1,
-        }
+        let owner = owners.get(draft.selection.cell(point.extend(1.0)) as usize).copied().flatten();
+        let owner = owner.unwrap_or(facets);
+        counts[owner] += 1;
+        owner_of.push(owner as u32);
+    }
+    let mut outside = counts[facets];
+
+    // Sort them by facet.
+    let mut next: SmallVec<[usize; 40]> = SmallVec::new();
+    let mut start = 0;
+    for count in &counts {
+        next.push(start);
+        start += count;
+    }
+    let mut sorted = vec![DVec3::ZERO; samples.len()];
+    for (point, owner) in samples.iter().zip(&owner_of) {
+        let place = &mut next[*owner as usize];
+        sorted[*place] = *point;
+        *place += 1;
     }
 
     // Fit the rows of each facet to its receivers.
-    let mut windows = Vec::with_capacity(draft.facets.len());
-    for (facet, mut samples) in draft.facets.iter().zip(by_facet) {
-        let Some(rows) = rows(facet) else {
-            outside += samples.len();
+    let mut list = Vec::with_capacity(facets);
+    let mut all = Vec::with_capacity(samples.len() + facets * FEWEST_SAMPLES / 2);
+    for (index, facet) in draft.facets.iter().enumerate() {
+        let own = &sorted[next[index] - counts[index]..next[index]];
+        let Some((rows, outline)) = rows(facet) else {
+            outside += own.len();
             continue;
         };
-        let inside = |point: &DVec3| facet.receivers.contains(point.extend(1.0));
-        outside += samples.iter().filter(|point| !inside(point)).count();
-        let usable = |points: &[DVec3]| -> (Vec<Gram>, Vec<f64>) {
-            let one = |point: &DVec3| Some((gram(&rows, situation, *point)?, -point.z));
-            points.iter().filter_map(one).unzip()
+        let cuts = own_cuts(&facet.receivers, &situation.receivers);
+        let start = all.len();
+        let mut add = |point: DVec3| {
+            all.extend(gram(&rows, situation, point).map(|gram| Sample { point, gram }));
         };
-        let (mut grams, mut depths) = usable(&samples);
-        let seen = grams.len();
-        if samples.len() < FEWEST_SAMPLES {
-            let added = inner_points(facet, FEWEST_SAMPLES - samples.len());
-            let more = usable(&added);
-            grams.extend(more.0);
-            depths.extend(more.1);
-            samples.extend(added);
+        for point in own {
+            let homogeneous = point.extend(1.0);
+            outside += usize::from(cuts.iter().any(|cut| cut.dot(homogeneous) < 0.0));
+            add(*point);
         }
-        windows.push(Window { draft: facet, rows, samples, grams, depths, seen });
+        if own.len() < FEWEST_SAMPLES {
+            inner::points(facet, FEWEST_SAMPLES - own.len(), &mut add);
+        }
+        let seen = own.len().min(all.len() - start);
+        list.push(Window { draft: facet, rows, outline, samples: start..all.len(), seen });
     }
-    (windows, outside)
+    Windows { list, samples: all, outside }
 }
 
-/// The rows of a facet fitted to its receivers, if there are any.
-fn rows(facet: &FacetDraft) -> Option<FacetRows> {
+/// The planes of a facet's receivers that all receivers do not have.
+fn own_cuts<'a>(receivers: &'a Polytope, all: &Polytope) -> &'a [DVec4] {
+    match receivers.planes.get(..all.planes.len()) {
+        Some(shared) if *shared == all.planes[..] => &receivers.planes[all.planes.len()..],
+        _ => &receivers.planes,
+    }
+}
+
+/// The rows of a facet fitted to its receivers, if there are any, and their outline.
+fn rows(facet: &FacetDraft) -> Option<(FacetRows, Outline)> {
     if facet.receivers.is_empty() {
         return None;
     }
     let whole = whole(facet)?;
-    let outline = polygon::outline(&whole, &facet.receivers.vertices);
-    if polygon::area(&polygon::image(&whole, &outline)) <= EMPTY_AREA {
+    let outline = polygon::small_outline(&whole, &facet.receivers.vertices);
+    let bent = outline.iter().map(|corner| DVec2::new(corner.x, whole.remap.y(corner.y)));
+    let bent: Outline = if whole.remap.is_none() { outline.clone() } else { bent.collect() };
+    if polygon::area(&bent).abs() <= EMPTY_AREA {
         return None;
     }
     Some(match facet.region {
-        Region::Tile(_) => whole,
+        Region::Tile(_) => (whole, outline),
         Region::Whole(_) | Region::Triangle { .. } => {
-            FacetRows { x: facet.x, y: facet.y, z: facet.w, w: facet.w, remap: Remap::NONE }
+            let rows = FacetRows { x: facet.x, y: facet.y, z: facet.w, w: facet.w, remap: Remap::NONE };
+            let outline = polygon::small_outline(&rows, &facet.receivers.vertices);
+            (rows, outline)
         }
     })
 }
@@ -153,44 +218,23 @@ fn fitted(row: DVec4, facet: &FacetDraft) -> Option<DVec4> {
     usable.then(|| (row * 2.0 - facet.w * (high + low)) / extent)
 }
 
-/// Products of the pixel vectors that span the whole clip space at a point.
+/// Products of the pixel vectors that span the whole clip space at a point: displacements across the light that change
+/// x/w alone and y/w alone, which are reciprocal to the gradients of both.
 fn gram(rows: &FacetRows, situation: &Situation<'_>, point: DVec3) -> Option<Gram> {
-    let (across, up) = Gradients::at(rows, point).across_light();
+    let homogeneous = point.extend(1.0);
+    let per_w = 1.0 / rows.w.dot(homogeneous);
+    let (x, y) = (rows.x.dot(homogeneous) * per_w, rows.y.dot(homogeneous) * per_w);
+    let w = rows.w.truncate();
+    let gradient_x = (rows.x.truncate() - w * x) * per_w;
+    let slope = if rows.remap.is_none() { 1.0 } else { rows.remap.slope(y) };
+    let gradient_y = (rows.y.truncate() - w * y) * (per_w * slope);
+    let area = gradient_x.cross(gradient_y).length_squared();
     let pixels = 2.0 * situation.view.pixels_per_tangent() / -point.z;
-    let (across, up) = (across * pixels, up * pixels);
-    let gram = Gram { xx: across.length_squared(), yy: up.length_squared(), xy: across.dot(up) };
-    (gram.xx.is_finite() && gram.yy.is_finite()).then_some(gram)
-}
-
-/// Points spread inside a facet's receivers as the view's samples are: evenly in the logarithm of depth, to the
-/// sampled horizon, and over the cut at that depth.
-fn inner_points(facet: &FacetDraft, count: usize) -> Vec<DVec3> {
-    const STEP: f64 = 0.618_033_988_749_894_9;
-    let nearest = facet.receivers.range(DEPTH_ROW).0;
-    let horizon = SAMPLED_HORIZON_METRES.max(FARTHEST_PER_NEAREST * nearest);
-    let near = facet.receivers.cut_by(&[DVec4::W * horizon - DEPTH_ROW]);
-    let depth = |vertex: &DVec4| DEPTH_ROW.dot(*vertex) / vertex.w;
-    let farthest = near.vertices.iter().map(depth).fold(nearest, f64::max);
-    let logarithm = libm::log(farthest / nearest);
-    let point = |index: usize| {
-        let limit = nearest * libm::exp(logarithm * (index as f64 + 0.5) / count as f64);
-        let (above, below): (Vec<DVec4>, Vec<DVec4>) =
-            near.vertices.iter().partition(|vertex| depth(vertex) <= limit);
-
-        // A triangle between points of the cut, each on a line between vertices on either side.
-        let unit = |k: usize| ((index * 37 + k * 11 + 1) as f64 * STEP).fract();
-        let pick = |list: &[DVec4], k: usize| list.get((unit(k) * list.len() as f64) as usize).copied();
-        let corner = |k: usize| {
-            let (one, two) = (pick(&above, 2 * k)?, pick(&below, 2 * k + 1)?);
-            let part = (limit - depth(&one)) / (depth(&two) - depth(&one));
-            Some((one / one.w).lerp(two / two.w, part).truncate())
-        };
-        let (mut u, mut v) = (unit(6), unit(7));
-        if u + v > 1.0 {
-            (u, v) = (1.0 - u, 1.0 - v);
-        }
-        let (a, b, c) = (corner(0)?, corner(1)?, corner(2)?);
-        Some(a + (b - a) * u + (c - a) * v)
+    let scale = pixels * pixels / area;
+    let gram = Gram {
+        xx: gradient_y.length_squared() * scale,
+        yy: gradient_x.length_squared() * scale,
+        xy: -gradient_x.dot(gradient_y) * scale,
     };
-    (0..count).filter_map(point).filter(|point| point.is_finite()).collect()
+    (gram.xx.is_finite() && gram.yy.is_finite()).then_some(gram)
 }

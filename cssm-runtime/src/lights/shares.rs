@@ -72,7 +72,11 @@ impl LightService {
             let budget_texels = (map_texels as f64 * share) as u64;
             sides(&scratch.claims, budget_texels, &mut scratch.sides);
             for rule in [Rule::KeepNearlyRight, Rule::ShrinkOnly, Rule::PackAnew] {
-                let sizes = scratch.sides.iter().zip(&scratch.claimants).map(|(side, one)| rule.side(one.side, *side));
+                let sizes = scratch
+                    .sides
+                    .iter()
+                    .zip(&scratch.claimants)
+                    .map(|(side, one)| rule.side(one.side, *side));
                 scratch.ruled.clear();
                 scratch.ruled.extend(sizes);
                 let texels: u64 = scratch.ruled.iter().map(|side| u64::from(*side).pow(2)).sum();

@@ -197,7 +197,7 @@ fn a_builder_says_the_same_as_the_text() {
         .filter(Filter::Hardware2x2)
         .bias(Bias::Slope { texels: 2.5 })
         .resolve(&[
-            Resolve::Function { group: 1 },
+            Resolve::Function { group: 1, first_binding: 0 },
             Resolve::Mask { depth: MaskDepth::Linear, normal: MaskNormal::Texture },
         ])
         .prefix("low_sun")

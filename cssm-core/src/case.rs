@@ -264,6 +264,8 @@ pub enum Resolve {
     Function {
         /// Bind group number of the shadow bindings.
         group: u32,
+        /// Number of the first of them, so that they can live in a group of the engine's.
+        first_binding: u32,
     },
 }
 

@@ -1,8 +1,10 @@
 //! The capture stage: the pass that replays a frame's commands.
 
+mod engine;
 mod pipelines;
 mod stretched;
 
+pub use engine::{CasterPipelineDescription, CasterPipelines, EngineFacet};
 pub(crate) use pipelines::{Attribute, CapturePipelines, VertexKey};
 pub(crate) use stretched::{Fetched, Stretched, StretchedMesh, fetches_by_itself, vertex_storage_buffers};
 

@@ -125,6 +125,18 @@ pub enum ServiceError {
         /// What gives it away.
         why: &'static str,
     },
+    /// Caster shaders were not composed for this table.
+    #[error(
+        "the caster shaders of entry {entry} do not belong to case {case}: {why}; compose them with the case that the table was generated from"
+    )]
+    ForeignCasters {
+        /// Name of the caster entry.
+        entry: String,
+        /// Name of the case.
+        case: String,
+        /// What gives it away.
+        why: &'static str,
+    },
     /// The view's eye or rotation is not the plan's.
     #[error("the view's eye or rotation is not the plan's; prepare with the view that was planned")]
     ForeignView,

@@ -2,7 +2,9 @@
 
 use std::num::NonZeroU64;
 
-use cssm_core::table::{BindGroup, BindingKind, CaseTable, GroupContent, Pass, RecordKind, ShaderKind};
+use cssm_core::table::{
+    BindGroup, Binding, BindingKind, CaseTable, GroupContent, Pass, RecordKind, ShaderKind,
+};
 
 use crate::error::ServiceError;
 
@@ -13,19 +15,25 @@ pub(crate) fn group_layout(
     group: &BindGroup,
     stages: wgpu::ShaderStages,
 ) -> wgpu::BindGroupLayout {
-    let entries: Vec<_> = group
-        .bindings
-        .iter()
-        .map(|binding| wgpu::BindGroupLayoutEntry {
-            binding: binding.binding,
-            visibility: stages,
-            ty: binding_type(table, binding.kind),
-            count: None,
-        })
-        .collect();
+    let entries = group_entries(table, group, stages);
     let label = format!("{} {}", table.prefix, group.content.label());
     device
         .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(&label), entries: &entries })
+}
+
+/// The entries of that layout.
+pub(crate) fn group_entries(
+    table: &CaseTable,
+    group: &BindGroup,
+    stages: wgpu::ShaderStages,
+) -> Vec<wgpu::BindGroupLayoutEntry> {
+    let entry = |binding: &Binding| wgpu::BindGroupLayoutEntry {
+        binding: binding.binding,
+        visibility: stages,
+        ty: binding_type(table, binding.kind),
+        count: None,
+    };
+    group.bindings.iter().map(entry).collect()
 }
 
 /// A bind group of a table's group; `resource` finds what to bind.

@@ -48,6 +48,9 @@
 //! * **One pass, one map.** All facets are drawn in one render pass; viewport and scissor confine each to its tile,
 //!   a dynamic offset picks its record. Each facet draws only the casters whose shadows can reach something visible
 //!   in it, one draw for each mesh. Of a large mesh with [`Cluster`]s it draws the ranges that can.
+//! * **The engine's own vertex functions capture too.** [`ShadowService::capture_with`] sets tile and record of every facet
+//!   and hands the pass to the engine, whose pipelines run shaders that code generation has composed around its skinning,
+//!   instancing or displacement.
 //! * **Casters stay where they are.** Meshes are ranges of the engine's buffers in the engine's vertex format, alpha
 //!   masks are the engine's own textures. The eye is subtracted from every transform and the axes are turned to the
 //!   camera's in f64, so nothing is lost far from the world's origin or in a narrow field of view.
@@ -80,6 +83,7 @@
 
 mod alpha_mask;
 mod atlas;
+mod bindings;
 mod capture;
 mod casters;
 mod clusters;
@@ -102,6 +106,7 @@ mod service;
 mod upload;
 
 pub use alpha_mask::AlphaMask;
+pub use capture::{CasterPipelineDescription, CasterPipelines, EngineFacet};
 pub use casters::CasterScene;
 pub use clusters::{CLUSTER_TRIANGLES, Cluster, ClusterError, ClusteredTriangles, cluster_triangles};
 pub use commands::{

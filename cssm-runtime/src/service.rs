@@ -411,7 +411,7 @@ impl ShadowService {
         known(&self.meshes, handle)
     }
 
-    fn check_frame(&self, frame: &PreparedFrame) -> Result<(), ServiceError> {
+    pub(crate) fn check_frame(&self, frame: &PreparedFrame) -> Result<(), ServiceError> {
         if !Arc::ptr_eq(&frame.service, &self.gpu.identity) {
             return Err(ServiceError::StaleFrame { why: "another service or an earlier device prepared it" });
         }
@@ -425,7 +425,7 @@ fn known(meshes: &[MeshEntry], handle: MeshHandle) -> Option<&Mesh> {
 }
 
 /// Holds a frame's slot until the encoder's work is done, or the encoder is dropped.
-fn keep_until_done(encoder: &wgpu::CommandEncoder, frame: &PreparedFrame) {
+pub(crate) fn keep_until_done(encoder: &wgpu::CommandEncoder, frame: &PreparedFrame) {
     let held = (Arc::clone(&frame.slot), frame.culled.clone());
     encoder.on_submitted_work_done(move || drop(held));
 }

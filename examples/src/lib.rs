@@ -1,9 +1,12 @@
 //! Small programs to start from.
 //!
 //! * `quantised_vertices`: casters in an engine's own vertex format, far from the world's origin.
-//! * `material_function`: the engine's own material calls the generated visibility function.
+//! * `engine_casters`: the engine's own vertex functions place skinned, instanced and displaced casters, with holes.
+//! * `material_function`: the engine's own material calls the generated visibility function, bound beside the engine's own
+//!   bindings.
+//! * `deferred_mask`: a deferred renderer gives its depth and gets a visibility mask.
 //! * `many_lights`: a sun, a spot light and lamps share one map; only what changes is drawn again.
-//! * `build_script_tables`: tables and shaders for an engine that renders by itself; no graphics interface.
+//! * `build_script_tables`: tables and SPIR-V for an engine that renders by itself; no graphics interface.
 //!
 //! Each runs without a window, prints what it shows and checks itself. What they share is here: a device, buffers
 //! and pictures.
@@ -11,6 +14,8 @@
 use std::error::Error;
 use std::path::PathBuf;
 
+use cssm::View;
+use cssm::core::glam::{DMat4, DVec4};
 use cssm::runtime::{Requirements, ServiceError, features_and_limits, read_back, wgpu};
 use cssm::table::CaseTable;
 
@@ -74,6 +79,108 @@ impl Gpu {
         })
     }
 
+    /// A bind group of uniform buffers, numbered in order and visible to both stages, and its layout.
+    pub fn uniform_group(&self, buffers: &[&wgpu::Buffer]) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
+        let entry = |binding: u32| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Uniform,
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+            count: None,
+        };
+        let entries: Vec<_> = (0..buffers.len() as u32).map(entry).collect();
+        let layout = self
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries });
+        let entries: Vec<_> = (0..)
+            .zip(buffers)
+            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
+            .collect();
+        let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &layout,
+            entries: &entries,
+        });
+        (layout, group)
+    }
+
+    /// A pipeline of a camera pass with reversed-z depth: `[vertex, fragment]` of a module into targets of some formats.
+    pub fn pipeline(
+        &self,
+        module: &wgpu::ShaderModule,
+        [vertex, fragment]: [&str; 2],
+        groups: &[Option<&wgpu::BindGroupLayout>],
+        buffers: &[Option<wgpu::VertexBufferLayout>],
+        topology: wgpu::PrimitiveTopology,
+        formats: &[wgpu::TextureFormat],
+    ) -> wgpu::RenderPipeline {
+        let layout = self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: None,
+            bind_group_layouts: groups,
+            immediate_size: 0,
+        });
+        let targets: Vec<_> = formats.iter().map(|format| Some((*format).into())).collect();
+        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(vertex),
+            layout: Some(&layout),
+            vertex: wgpu::VertexState {
+                module,
+                entry_point: Some(vertex),
+                compilation_options: Default::default(),
+                buffers,
+            },
+            primitive: wgpu::PrimitiveState { topology, ..Default::default() },
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: wgpu::TextureFormat::Depth32Float,
+                depth_write_enabled: Some(true),
+                depth_compare: Some(wgpu::CompareFunction::Greater),
+                stencil: Default::default(),
+                bias: Default::default(),
+            }),
+            multisample: Default::default(),
+            fragment: Some(wgpu::FragmentState {
+                module,
+                entry_point: Some(fragment),
+                compilation_options: Default::default(),
+                targets: &targets,
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+
+    /// Begins a camera pass: clears colour targets and depth, and keeps both.
+    pub fn pass<'e>(
+        &self,
+        encoder: &'e mut wgpu::CommandEncoder,
+        targets: &[(&wgpu::Texture, wgpu::Color)],
+        depth: &wgpu::Texture,
+    ) -> wgpu::RenderPass<'e> {
+        let views: Vec<_> =
+            targets.iter().map(|(target, _)| target.create_view(&Default::default())).collect();
+        let attachment = |(view, (_, clear)): (_, &(&wgpu::Texture, wgpu::Color))| {
+            let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(*clear), store: wgpu::StoreOp::Store };
+            Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
+        };
+        let colours: Vec<_> = views.iter().zip(targets).map(attachment).collect();
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("camera"),
+            color_attachments: &colours,
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &depth.create_view(&Default::default()),
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: wgpu::StoreOp::Store,
+                }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        })
+    }
+
     /// The bytes of a texture, after all submitted work.
     ///
     /// # Errors
@@ -81,6 +188,17 @@ impl Gpu {
     pub fn read(&self, texture: &wgpu::Texture) -> Result<Vec<u8>, ServiceError> {
         read_back::texture_bytes(&self.device, &self.queue, texture)
     }
+}
+
+/// The infinite reversed-z projection of a view, from camera axes.
+pub fn clip_from_camera(view: &View) -> DMat4 {
+    let (width, height) = (view.right - view.left, view.top - view.bottom);
+    DMat4::from_cols(
+        DVec4::new(2.0 / width, 0.0, 0.0, 0.0),
+        DVec4::new(0.0, 2.0 / height, 0.0, 0.0),
+        DVec4::new((view.right + view.left) / width, (view.top + view.bottom) / height, 0.0, -1.0),
+        DVec4::new(0.0, 0.0, view.near_metres, 0.0),
+    )
 }
 
 /// Writes a grey or RGBA picture to `target/examples-out/NAME.png` and says where it went.

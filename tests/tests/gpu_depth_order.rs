@@ -23,7 +23,7 @@ fn case(technique: &'static str, filter: Filter) -> LightCase {
         .bias(Bias::ReceiverPlane)
         .resolve(&[
             Resolve::Mask { depth: MaskDepth::Linear, normal: MaskNormal::Texture },
-            Resolve::Function { group: 2 },
+            Resolve::Function { group: 2, first_binding: 0 },
         ])
         .build()
         .unwrap()

@@ -32,7 +32,7 @@ fn cases() -> Vec<LightCase> {
         .casters(Casters::AlphaTested)
         .resolve(&[
             Resolve::Mask { depth: MaskDepth::ReversedZ, normal: MaskNormal::Reconstructed },
-            Resolve::Function { group: 2 },
+            Resolve::Function { group: 2, first_binding: 0 },
         ]);
     cases.push(tested.build().expect("a valid case"));
     for case in &mut cases {

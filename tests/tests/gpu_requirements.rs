@@ -10,7 +10,7 @@ use cssm_tests::gpu::yard::{Yard, suns, views};
 use cssm_tests::gpu::{TestDevice, new_device};
 
 fn case() -> LightCase {
-    let resolve = [Resolve::Function { group: 3 }];
+    let resolve = [Resolve::Function { group: 3, first_binding: 0 }];
     LightCase::builder("Wide").map_size_texels(3000, 2100).resolve(&resolve).build().unwrap()
 }
 

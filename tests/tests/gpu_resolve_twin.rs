@@ -23,7 +23,7 @@ fn case(technique: Word, filter: Filter, bias: Bias, depth: MaskDepth, normal: M
         .shadow_distance_metres(150.0)
         .filter(filter)
         .bias(bias)
-        .resolve(&[Resolve::Mask { depth, normal }, Resolve::Function { group: 2 }])
+        .resolve(&[Resolve::Mask { depth, normal }, Resolve::Function { group: 2, first_binding: 0 }])
         .prefix("dusk")
         .build()
         .unwrap()

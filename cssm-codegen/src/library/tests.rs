@@ -97,7 +97,8 @@ fn resolve_cases() -> Vec<LightCase> {
                 .iter()
                 .flat_map(|normal| [MaskDepth::ReversedZ, MaskDepth::Linear].map(|depth| (*normal, depth)))
             {
-                let interfaces = [Resolve::Mask { depth, normal }, Resolve::Function { group: 3 }];
+                let interfaces =
+                    [Resolve::Mask { depth, normal }, Resolve::Function { group: 3, first_binding: 0 }];
                 let case = || LightCase::builder("Reference").bias(bias).filter(filter).resolve(&interfaces);
                 let bounded = || case().shadow_distance_metres(1000.0);
                 cases.push(case().build());

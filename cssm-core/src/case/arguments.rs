@@ -174,14 +174,19 @@ impl Resolve {
                 let plain = |name| Value::Word(Word::plain(name));
                 Word::with("mask", [("depth", plain(depth)), ("normal", plain(normal))])
             }
-            Self::Function { group } => Word::with("function", [("group", Value::Count(*group))]),
+            Self::Function { group, first_binding } => {
+                let numbers =
+                    [("group", Value::Count(*group)), ("first_binding", Value::Count(*first_binding))];
+                Word::with("function", numbers)
+            }
         }
     }
 
     /// Reads a word whose defaults are filled in.
     pub(super) fn of_word(word: &Word) -> Self {
         if word.name == "function" {
-            return Self::Function { group: word.arguments.count("group").unwrap_or(0) };
+            let number = |name: &str| word.arguments.count(name).unwrap_or(0);
+            return Self::Function { group: number("group"), first_binding: number("first_binding") };
         }
         let name = |field: &str| word.arguments.word(field).map(|word| word.name);
         Self::Mask {

@@ -8,6 +8,9 @@ use crate::technique;
 /// Largest map side that a declaration may ask for.
 pub const MAP_SIDE_LIMIT_TEXELS: u32 = 16384;
 
+/// Largest number that a declaration may give to the first of the shadow bindings; WebGPU ends at 999.
+const LAST_BINDING: u32 = 990;
+
 const FAR: &[Choice] = &[
     Choice::plain("infinite", "the far plane may be at infinity"),
     Choice::plain("finite", "every view has a finite far plane"),
@@ -255,12 +258,20 @@ pub const FIELDS: &[Field] = &[
             Choice {
                 name: "function",
                 summary: "a WGSL function for the engine's own materials",
-                arguments: &[Field {
-                    name: "group",
-                    summary: "bind group number of the shadow bindings",
-                    kind: Kind::Count { min: 0, max: 3 },
-                    default: Default::Value("2"),
-                }],
+                arguments: &[
+                    Field {
+                        name: "group",
+                        summary: "bind group number of the shadow bindings",
+                        kind: Kind::Count { min: 0, max: 3 },
+                        default: Default::Value("2"),
+                    },
+                    Field {
+                        name: "first_binding",
+                        summary: "number of the first of them, where the group holds bindings of the engine's too",
+                        kind: Kind::Count { min: 0, max: LAST_BINDING },
+                        default: Default::Value("0"),
+                    },
+                ],
             },
         ]),
         default: Default::Value("[mask, function { group: 2 }]"),

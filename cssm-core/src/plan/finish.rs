@@ -5,17 +5,10 @@ use smallvec::SmallVec;
 
 use super::casters;
 use super::fitted::map_area;
-<<<<<<< HEAD
-use super::window::Window;
-use super::{casters, region};
-use crate::case::{Bias, DepthFormat, Filter, LightCase};
-use crate::depth::{DepthNeeds, depth_row};
-=======
 use super::region::{self, Inset};
 use super::window::{Sample, Window, Windows};
-use crate::case::{Bias, DepthFormat, LightCase};
+use crate::case::{Bias, DepthFormat, Filter, LightCase};
 use crate::depth::{COMPARED_SAMPLES, DepthNeeds, DepthRow, depth_rows};
->>>>>>> plan
 use crate::facet::{Facet, FacetRows, Tile};
 use crate::plan::{DepthOrder, PlanError};
 use crate::technique::Situation;
@@ -67,16 +60,11 @@ pub(super) fn finish(
         inset.ok_or_else(|| map_area(situation).too_small(1))?;
 
     // Measure texels across the light, per w.
-<<<<<<< HEAD
-    let texels = TexelsPerW::measure(&rows, &tile, &window.samples);
-    let extension = PLANE_EXTENSION_TEXELS.max(situation.case.filter.radius_texels() + 1);
-    let margin = f64::from(extension) * texels.major + bias_metres_per_w(situation.case, &texels, window);
-=======
     let samples = windows.samples(window);
     let texels = TexelsPerW::measure(&rows, inner_texels, samples, situation.view);
-    let margin =
-        PLANE_EXTENSION_TEXELS * texels.major + bias_metres_per_w(situation.case, &texels, &rows, samples);
->>>>>>> plan
+    let extension = PLANE_EXTENSION_TEXELS.max(situation.case.filter.radius_texels() + 1);
+    let margin = f64::from(extension) * texels.major
+        + bias_metres_per_w(situation.case, &texels, &rows, samples);
     let receivers = &window.draft.receivers;
     let width = texels.major * f64::from(tile.width.max(tile.height));
     let farthest = FARTHEST_PIXELS * situation.view.pixels_per_tangent() * width;

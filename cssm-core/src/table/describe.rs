@@ -44,7 +44,7 @@ impl CaseTable {
                     groups.push(shadow_group(&names, case, ShaderKind::Mask, 1));
                     passes.push(mask_pass(&names, normal));
                 }
-                Resolve::Function { group } => {
+                Resolve::Function { group, .. } => {
                     groups.push(shadow_group(&names, case, ShaderKind::Function, group));
                 }
             }
@@ -426,6 +426,15 @@ fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32)
     };
     if let Some(kind) = sampler {
         bindings.push(Binding { binding: 2, name: names.value("map_sampler"), kind });
+    }
+
+    // Every shader of the case has them at the same numbers, so that they share one layout.
+    let first = case.resolve.iter().find_map(|interface| match interface {
+        Resolve::Function { first_binding, .. } => Some(*first_binding),
+        Resolve::Mask { .. } => None,
+    });
+    for binding in &mut bindings {
+        binding.binding += first.unwrap_or(0);
     }
     BindGroup { shader, content: GroupContent::Shadow, group, bindings: bindings.into() }
 }

@@ -1,4 +1,4 @@
-// Generated from light case `FourPlane`, 08f4857a21329afe. Do not edit.
+// Generated from light case `FourPlane`, 2935699219093124. Do not edit.
 
 /// The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 /// the light to ten metres. For light in, behind or just outside the view.
@@ -48,7 +48,10 @@ pub mod four_plane {
                     depth: MaskDepth::ReversedZ,
                     normal: MaskNormal::Reconstructed,
                 },
-                Resolve::Function { group: 2 },
+                Resolve::Function {
+                    group: 2,
+                    first_binding: 0,
+                },
             ]),
             prefix: "four_plane".into(),
         }
@@ -201,7 +204,7 @@ pub mod four_plane {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("FourPlane"),
             prefix: Cow::Borrowed("four_plane"),
-            fingerprint: 0x08f4857a21329afe,
+            fingerprint: 0x2935699219093124,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -588,7 +591,7 @@ pub mod four_plane {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 08f4857a21329afe. Do not edit.
+// Generated from light case `FourPlane`, 2935699219093124. Do not edit.
 
 enable clip_distances;
 
@@ -672,7 +675,7 @@ fn four_plane_capture_vertex(vertex: FourPlaneCasterVertex) -> FourPlaneClippedC
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 08f4857a21329afe. Do not edit.
+// Generated from light case `FourPlane`, 2935699219093124. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct FourPlaneCapture {
@@ -782,7 +785,7 @@ fn four_plane_capture_clamped_fragment(caster: FourPlaneClampedCaster) -> @built
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 08f4857a21329afe. Do not edit.
+// Generated from light case `FourPlane`, 2935699219093124. Do not edit.
 
 /// Width and height of the map in texels.
 const FOUR_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1093,7 +1096,7 @@ fn four_plane_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0)
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 08f4857a21329afe. Do not edit.
+// Generated from light case `FourPlane`, 2935699219093124. Do not edit.
 
 /// Width and height of the map in texels.
 const FOUR_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

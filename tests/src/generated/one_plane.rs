@@ -1,4 +1,4 @@
-// Generated from light case `OnePlane`, 9678b3c989557bc3. Do not edit.
+// Generated from light case `OnePlane`, 97bac4a2198bacf9. Do not edit.
 
 /// The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 /// metres. For light from outside the view; the other lights need `four_plane` beside it.
@@ -49,7 +49,10 @@ pub mod one_plane {
                     depth: MaskDepth::ReversedZ,
                     normal: MaskNormal::Reconstructed,
                 },
-                Resolve::Function { group: 2 },
+                Resolve::Function {
+                    group: 2,
+                    first_binding: 0,
+                },
             ]),
             prefix: "one_plane".into(),
         }
@@ -194,7 +197,7 @@ pub mod one_plane {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("OnePlane"),
             prefix: Cow::Borrowed("one_plane"),
-            fingerprint: 0x9678b3c989557bc3,
+            fingerprint: 0x97bac4a2198bacf9,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -560,7 +563,7 @@ pub mod one_plane {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, 9678b3c989557bc3. Do not edit.
+// Generated from light case `OnePlane`, 97bac4a2198bacf9. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct OnePlaneCapture {
@@ -625,7 +628,7 @@ fn one_plane_capture_vertex(vertex: OnePlaneCasterVertex) -> @builtin(position) 
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, 9678b3c989557bc3. Do not edit.
+// Generated from light case `OnePlane`, 97bac4a2198bacf9. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct OnePlaneCapture {
@@ -717,7 +720,7 @@ fn one_plane_capture_clamped_fragment(caster: OnePlaneClampedCaster) -> @builtin
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, 9678b3c989557bc3. Do not edit.
+// Generated from light case `OnePlane`, 97bac4a2198bacf9. Do not edit.
 
 /// Width and height of the map in texels.
 const ONE_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -993,7 +996,7 @@ fn one_plane_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) 
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, 9678b3c989557bc3. Do not edit.
+// Generated from light case `OnePlane`, 97bac4a2198bacf9. Do not edit.
 
 /// Width and height of the map in texels.
 const ONE_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

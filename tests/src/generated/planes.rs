@@ -1,4 +1,4 @@
-// Generated from light case `Planes`, 901dd7350f189727. Do not edit.
+// Generated from light case `Planes`, 848eb4f399787671. Do not edit.
 
 /// Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 /// smaller footprint, here with the bands that the paper does not have.
@@ -54,7 +54,10 @@ pub mod planes {
                     depth: MaskDepth::ReversedZ,
                     normal: MaskNormal::Reconstructed,
                 },
-                Resolve::Function { group: 2 },
+                Resolve::Function {
+                    group: 2,
+                    first_binding: 0,
+                },
             ]),
             prefix: "planes".into(),
         }
@@ -217,7 +220,7 @@ pub mod planes {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Planes"),
             prefix: Cow::Borrowed("planes"),
-            fingerprint: 0x901dd7350f189727,
+            fingerprint: 0x848eb4f399787671,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -630,7 +633,7 @@ pub mod planes {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 901dd7350f189727. Do not edit.
+// Generated from light case `Planes`, 848eb4f399787671. Do not edit.
 
 enable clip_distances;
 
@@ -714,7 +717,7 @@ fn planes_capture_vertex(vertex: PlanesCasterVertex) -> PlanesClippedCaster {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 901dd7350f189727. Do not edit.
+// Generated from light case `Planes`, 848eb4f399787671. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PlanesCapture {
@@ -824,7 +827,7 @@ fn planes_capture_clamped_fragment(caster: PlanesClampedCaster) -> @builtin(frag
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 901dd7350f189727. Do not edit.
+// Generated from light case `Planes`, 848eb4f399787671. Do not edit.
 
 /// Width and height of the map in texels.
 const PLANES_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1151,7 +1154,7 @@ fn planes_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 901dd7350f189727. Do not edit.
+// Generated from light case `Planes`, 848eb4f399787671. Do not edit.
 
 /// Width and height of the map in texels.
 const PLANES_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

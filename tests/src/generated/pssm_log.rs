@@ -1,4 +1,4 @@
-// Generated from light case `Pssm4Log`, ad1a933ad90ae09c. Do not edit.
+// Generated from light case `Pssm4Log`, 5458e69614649d3e. Do not edit.
 
 /// Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 /// measure that other cases are compared with at equal texels.
@@ -47,7 +47,10 @@ pub mod pssm_log {
                     depth: MaskDepth::ReversedZ,
                     normal: MaskNormal::Reconstructed,
                 },
-                Resolve::Function { group: 2 },
+                Resolve::Function {
+                    group: 2,
+                    first_binding: 0,
+                },
             ]),
             prefix: "pssm_log".into(),
         }
@@ -194,7 +197,7 @@ pub mod pssm_log {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Pssm4Log"),
             prefix: Cow::Borrowed("pssm_log"),
-            fingerprint: 0xad1a933ad90ae09c,
+            fingerprint: 0x5458e69614649d3e,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -570,7 +573,7 @@ pub mod pssm_log {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, ad1a933ad90ae09c. Do not edit.
+// Generated from light case `Pssm4Log`, 5458e69614649d3e. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmLogCapture {
@@ -635,7 +638,7 @@ fn pssm_log_capture_vertex(vertex: PssmLogCasterVertex) -> @builtin(position) ve
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, ad1a933ad90ae09c. Do not edit.
+// Generated from light case `Pssm4Log`, 5458e69614649d3e. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmLogCapture {
@@ -727,7 +730,7 @@ fn pssm_log_capture_clamped_fragment(caster: PssmLogClampedCaster) -> @builtin(f
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, ad1a933ad90ae09c. Do not edit.
+// Generated from light case `Pssm4Log`, 5458e69614649d3e. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1006,7 +1009,7 @@ fn pssm_log_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) v
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, ad1a933ad90ae09c. Do not edit.
+// Generated from light case `Pssm4Log`, 5458e69614649d3e. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `Pssm4Practical`, 9037078efd411107. Do not edit.
+// Generated from light case `Pssm4Practical`, 16639d5d227035cd. Do not edit.
 
 /// Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 /// engines have them.
@@ -52,7 +52,10 @@ pub mod pssm_practical {
                     depth: MaskDepth::ReversedZ,
                     normal: MaskNormal::Reconstructed,
                 },
-                Resolve::Function { group: 2 },
+                Resolve::Function {
+                    group: 2,
+                    first_binding: 0,
+                },
             ]),
             prefix: "pssm_practical".into(),
         }
@@ -199,7 +202,7 @@ pub mod pssm_practical {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Pssm4Practical"),
             prefix: Cow::Borrowed("pssm_practical"),
-            fingerprint: 0x9037078efd411107,
+            fingerprint: 0x16639d5d227035cd,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -575,7 +578,7 @@ pub mod pssm_practical {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 9037078efd411107. Do not edit.
+// Generated from light case `Pssm4Practical`, 16639d5d227035cd. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmPracticalCapture {
@@ -640,7 +643,7 @@ fn pssm_practical_capture_vertex(vertex: PssmPracticalCasterVertex) -> @builtin(
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 9037078efd411107. Do not edit.
+// Generated from light case `Pssm4Practical`, 16639d5d227035cd. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmPracticalCapture {
@@ -732,7 +735,7 @@ fn pssm_practical_capture_clamped_fragment(caster: PssmPracticalClampedCaster) -
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 9037078efd411107. Do not edit.
+// Generated from light case `Pssm4Practical`, 16639d5d227035cd. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_PRACTICAL_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1011,7 +1014,7 @@ fn pssm_practical_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @locatio
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 9037078efd411107. Do not edit.
+// Generated from light case `Pssm4Practical`, 16639d5d227035cd. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_PRACTICAL_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

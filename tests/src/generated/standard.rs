@@ -1,4 +1,4 @@
-// Generated from light case `Standard`, 2c233018aea3efc0. Do not edit.
+// Generated from light case `Standard`, 69583ee82c6c8522. Do not edit.
 
 /// One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 /// as the lower bound that other cases are compared with.
@@ -40,7 +40,10 @@ pub mod standard {
                     depth: MaskDepth::ReversedZ,
                     normal: MaskNormal::Reconstructed,
                 },
-                Resolve::Function { group: 2 },
+                Resolve::Function {
+                    group: 2,
+                    first_binding: 0,
+                },
             ]),
             prefix: "standard".into(),
         }
@@ -177,7 +180,7 @@ pub mod standard {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Standard"),
             prefix: Cow::Borrowed("standard"),
-            fingerprint: 0x2c233018aea3efc0,
+            fingerprint: 0x69583ee82c6c8522,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -527,7 +530,7 @@ pub mod standard {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 2c233018aea3efc0. Do not edit.
+// Generated from light case `Standard`, 69583ee82c6c8522. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct StandardCapture {
@@ -592,7 +595,7 @@ fn standard_capture_vertex(vertex: StandardCasterVertex) -> @builtin(position) v
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 2c233018aea3efc0. Do not edit.
+// Generated from light case `Standard`, 69583ee82c6c8522. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct StandardCapture {
@@ -684,7 +687,7 @@ fn standard_capture_clamped_fragment(caster: StandardClampedCaster) -> @builtin(
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 2c233018aea3efc0. Do not edit.
+// Generated from light case `Standard`, 69583ee82c6c8522. Do not edit.
 
 /// Width and height of the map in texels.
 const STANDARD_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -939,7 +942,7 @@ fn standard_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) v
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 2c233018aea3efc0. Do not edit.
+// Generated from light case `Standard`, 69583ee82c6c8522. Do not edit.
 
 /// Width and height of the map in texels.
 const STANDARD_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `Sun`, 5429b253688a4a44. Do not edit.
+// Generated from light case `Sun`, 2f6e1c59732e0d06. Do not edit.
 
 /// Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 /// shadow distance and texels stay the same size on the screen, near and far.
@@ -45,7 +45,10 @@ pub mod sun {
                     depth: MaskDepth::ReversedZ,
                     normal: MaskNormal::Reconstructed,
                 },
-                Resolve::Function { group: 2 },
+                Resolve::Function {
+                    group: 2,
+                    first_binding: 0,
+                },
             ]),
             prefix: "sun".into(),
         }
@@ -205,7 +208,7 @@ pub mod sun {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Sun"),
             prefix: Cow::Borrowed("sun"),
-            fingerprint: 0x5429b253688a4a44,
+            fingerprint: 0x2f6e1c59732e0d06,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -610,7 +613,7 @@ pub mod sun {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 5429b253688a4a44. Do not edit.
+// Generated from light case `Sun`, 2f6e1c59732e0d06. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SunCapture {
@@ -675,7 +678,7 @@ fn sun_capture_vertex(vertex: SunCasterVertex) -> @builtin(position) vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 5429b253688a4a44. Do not edit.
+// Generated from light case `Sun`, 2f6e1c59732e0d06. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SunCapture {
@@ -767,7 +770,7 @@ fn sun_capture_clamped_fragment(caster: SunClampedCaster) -> @builtin(frag_depth
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 5429b253688a4a44. Do not edit.
+// Generated from light case `Sun`, 2f6e1c59732e0d06. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1094,7 +1097,7 @@ fn sun_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<f
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 5429b253688a4a44. Do not edit.
+// Generated from light case `Sun`, 2f6e1c59732e0d06. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `SunLog`, 7474f03c412dc8e6. Do not edit.
+// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
 
 /// Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 /// span many rows decided pixel by pixel.
@@ -47,7 +47,10 @@ pub mod sun_log {
                     depth: MaskDepth::ReversedZ,
                     normal: MaskNormal::Reconstructed,
                 },
-                Resolve::Function { group: 2 },
+                Resolve::Function {
+                    group: 2,
+                    first_binding: 0,
+                },
             ]),
             prefix: "sun_log".into(),
         }
@@ -223,7 +226,7 @@ pub mod sun_log {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("SunLog"),
             prefix: Cow::Borrowed("sun_log"),
-            fingerprint: 0x7474f03c412dc8e6,
+            fingerprint: 0xc4cfe266d3ca599c,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -764,7 +767,7 @@ pub mod sun_log {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, 7474f03c412dc8e6. Do not edit.
+// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_LOG_STRETCH_BOUND: f32 = 0.25;
@@ -1016,7 +1019,7 @@ fn sun_log_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, 7474f03c412dc8e6. Do not edit.
+// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_LOG_STRETCH_BOUND: f32 = 0.25;
@@ -1295,7 +1298,7 @@ fn sun_log_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, 7474f03c412dc8e6. Do not edit.
+// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_LOG_STRETCH_BOUND: f32 = 0.25;
@@ -1904,7 +1907,7 @@ fn sun_log_capture_bent_fragment(caster: SunLogBentCaster) -> @builtin(frag_dept
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, 7474f03c412dc8e6. Do not edit.
+// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -2256,7 +2259,7 @@ fn sun_log_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) ve
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, 7474f03c412dc8e6. Do not edit.
+// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

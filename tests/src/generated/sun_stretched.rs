@@ -1,4 +1,4 @@
-// Generated from light case `SunStretched`, e8be5008cc644203. Do not edit.
+// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
 
 /// The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 /// bent until half of them lie within ten metres. For light from outside the view.
@@ -51,7 +51,10 @@ pub mod sun_stretched {
                     depth: MaskDepth::ReversedZ,
                     normal: MaskNormal::Reconstructed,
                 },
-                Resolve::Function { group: 2 },
+                Resolve::Function {
+                    group: 2,
+                    first_binding: 0,
+                },
             ]),
             prefix: "sun_stretched".into(),
         }
@@ -212,7 +215,7 @@ pub mod sun_stretched {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("SunStretched"),
             prefix: Cow::Borrowed("sun_stretched"),
-            fingerprint: 0xe8be5008cc644203,
+            fingerprint: 0xbf8edc147555a219,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -714,7 +717,7 @@ pub mod sun_stretched {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, e8be5008cc644203. Do not edit.
+// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_STRETCHED_STRETCH_BOUND: f32 = 0.25;
@@ -957,7 +960,7 @@ fn sun_stretched_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, e8be5008cc644203. Do not edit.
+// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_STRETCHED_STRETCH_BOUND: f32 = 0.25;
@@ -1227,7 +1230,7 @@ fn sun_stretched_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, e8be5008cc644203. Do not edit.
+// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_STRETCHED_STRETCH_BOUND: f32 = 0.25;
@@ -1825,7 +1828,7 @@ fn sun_stretched_capture_bent_fragment(caster: SunStretchedBentCaster) -> @built
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, e8be5008cc644203. Do not edit.
+// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_STRETCHED_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -2124,7 +2127,7 @@ fn sun_stretched_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, e8be5008cc644203. Do not edit.
+// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_STRETCHED_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -28,7 +28,7 @@ pub fn case(format: DepthFormat) -> LightCase {
         .bias(Bias::None)
         .resolve(&[
             Resolve::Mask { depth: MaskDepth::Linear, normal: MaskNormal::Reconstructed },
-            Resolve::Function { group: 1 },
+            Resolve::Function { group: 1, first_binding: 0 },
         ])
         .prefix("hand")
         .build()
@@ -59,7 +59,7 @@ pub fn four_facet_table() -> CaseTable {
         .technique(Word::with("parallel_split", [("splits", Value::Count(4))]))
         .shadow_distance_metres(100.0)
         .map_size_texels(MAP_SIDE, MAP_SIDE)
-        .resolve(&[Resolve::Function { group: 1 }])
+        .resolve(&[Resolve::Function { group: 1, first_binding: 0 }])
         .prefix("hand")
         .build()
         .expect("the hand-made declaration is valid");

@@ -155,9 +155,9 @@ fn interface(interface: &Resolve) -> TokenStream {
             let (depth, normal) = (variant("MaskDepth", &depth), variant("MaskNormal", &normal));
             quote!(Resolve::Mask { depth: #depth, normal: #normal })
         }
-        Resolve::Function { group } => {
-            let group = number(group);
-            quote!(Resolve::Function { group: #group })
+        Resolve::Function { group, first_binding } => {
+            let (group, first_binding) = (number(group), number(first_binding));
+            quote!(Resolve::Function { group: #group, first_binding: #first_binding })
         }
     }
 }

@@ -1,6 +1,7 @@
 //! `cssm-lab lights`: a hundred lights in a town through one map: what frames cost, and whether each light is as good as
 //! alone.
 
+mod flicker;
 mod judge;
 mod motion;
 mod overlay;
@@ -16,6 +17,7 @@ use cssm_runtime::lights::{CaseHandle, LightDescription, LightFrame, LightHandle
 use serde::Serialize;
 use shaders_gen::shipped;
 
+pub use flicker::Flicker;
 pub use judge::{Bench, Judgement};
 pub use motion::{MOTIONS, Motion};
 pub use plant::{PlantedLight, cars, driven, lights, scene_at};
@@ -81,6 +83,8 @@ pub struct LightsReport {
     pub adapter: String,
     /// One entry for each motion.
     pub costs: Vec<MotionCosts>,
+    /// One entry for each mode and motion.
+    pub flicker: Vec<Flicker>,
     /// One entry for each judged light.
     pub judgements: Vec<Judgement>,
 }
@@ -147,6 +151,7 @@ pub fn run(arguments: &LightsArguments, progress: Progress) -> Result<String, La
         .collect::<Result<Vec<_>, LabError>>()?;
     overlay::write_strip(&arguments.out, &gpu, &town, &buffers, &tracer)?;
 
+    let flicker = flicker::flicker(&gpu, &town, &buffers, &frame)?;
     let report = LightsReport {
         scene: scene.name.clone(),
         width: arguments.size.0,
@@ -155,6 +160,7 @@ pub fn run(arguments: &LightsArguments, progress: Progress) -> Result<String, La
         owned_texels,
         adapter: gpu.adapter(),
         costs,
+        flicker,
         judgements,
     };
     write_json(&arguments.out.join("lights.json"), &report)?;

@@ -39,6 +39,16 @@ pub(super) fn markdown(report: &LightsReport) -> String {
             cost.prepare_milliseconds,
         ));
     }
+    line(format_args!("\n## Flicker under the sun\n"));
+    line(format_args!(
+        "Light-facing points of still surfaces whose shadow flips from one frame to the next.\n"
+    ));
+    line(format_args!("| mode | camera | flipped in a frame | frames in which the sun was drawn |"));
+    line(format_args!("|---|---|---:|---:|"));
+    for found in &report.flicker {
+        let (mode, motion) = (found.mode, found.motion);
+        line(format_args!("| {mode} | {motion} | {:.3} % | {} |", 100.0 * found.flipped, found.drawn_frames));
+    }
     line(format_args!("\n## Each light in company and alone\n"));
     line(format_args!(
         "Wrong pixels among those that face the light within its reach; alone: a map of its own with as many texels.\n"

@@ -66,8 +66,7 @@ pub(super) fn need(held: Option<&mut Held>, request: &PlanRequest, hold: bool) -
         return Need::Another;
     }
     let may_hold = hold || held.is_of(request.view);
-    let light = held.light;
-    if !may_hold || !held.plan.covers(&PlanRequest { light: &light, ..*request }) {
+    if !may_hold || !held.covers(request) {
         return Need::Another;
     }
     let cost = held.pixels(request.view) / held.best_pixels;

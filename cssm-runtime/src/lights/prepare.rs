@@ -100,7 +100,9 @@ impl LightService {
         for served in lights.iter_mut().filter_map(|entry| entry.light.as_mut()) {
             let Some(index) = shadow_of(&mut served.shadows, frame) else { continue };
             let (shadow, description) = (&mut served.shadows[index], &served.description);
-            if shadow.place.is_some() {
+            let asked = (*frame.view, description.light);
+            let is_known = frame.volumes_world.is_empty() && shadow.unseen == Some(asked);
+            if shadow.place.is_some() || is_known {
                 continue;
             }
             let Some(case) = cases.get(description.case.0 as usize) else { continue };
@@ -109,7 +111,10 @@ impl LightService {
             let region = MapRegion { x: 0, y: 0, width: side, height: side };
             shadow.failure = None;
             match request(&case.case, description, frame, Some(region)).plan() {
-                Ok(plan) => shadow.estimate(&plan, frame.view, side, description),
+                Ok(plan) => {
+                    shadow.estimate(&plan, frame.view, side, description);
+                    shadow.unseen = plan.facets.is_empty().then_some(asked);
+                }
                 Err(PlanError::MapTooSmall { .. }) => {
                     shadow.pixels_times_side = Some(description.enough_pixels * f64::from(side) * 2.0);
                 }

@@ -1,8 +1,8 @@
 //! One light in one view: its square, the plan that is held for it, and what its tiles show.
 
 use cssm_core::facet::Tile;
-use cssm_core::plan::MapRegion;
-use cssm_core::{Light, PlanError, ShadowPlan, View};
+use cssm_core::plan::{MapRegion, PlanRequest};
+use cssm_core::{Light, PlanError, SceneBounds, ShadowPlan, View};
 
 use super::description::ViewId;
 use super::tiles::Place;
@@ -19,6 +19,8 @@ pub(super) struct Shadow {
     pub(super) reach: f64,
     /// Why there is no plan.
     pub(super) failure: Option<PlanError>,
+    /// The view and the light for which it was last found to reach nothing visible.
+    pub(super) unseen: Option<(View, Light)>,
 }
 
 /// A plan that outlives its frame, and what its tiles show.
@@ -33,6 +35,8 @@ pub(super) struct Held {
     pub(super) best_pixels: f64,
     /// The last view that its footprint was predicted for, and what was predicted.
     pub(super) predicted: Option<(View, f64)>,
+    /// The last view that it was found to cover, in bounds.
+    pub(super) covered: Option<(View, SceneBounds)>,
     /// Frames that have used it.
     pub(super) frames: u32,
     pub(super) tiles: Vec<TileState>,
@@ -106,12 +110,23 @@ impl Held {
                 }
             }
         }
-        Self { plan, serial, light, best_pixels, predicted: None, frames: 0, tiles }
+        Self { plan, serial, light, best_pixels, predicted: None, covered: None, frames: 0, tiles }
     }
 
     /// Whether it was made relative to a view's eye and axes.
     pub(super) fn is_of(&self, view: &View) -> bool {
         self.plan.eye_world == view.eye_world && self.plan.camera_from_world == view.camera_from_world
+    }
+
+    /// Whether it covers what a request sees, whatever the request's light.
+    pub(super) fn covers(&mut self, request: &PlanRequest) -> bool {
+        let asked = (*request.view, request.bounds);
+        if request.volumes_world.is_empty() && self.covered == Some(asked) {
+            return true;
+        }
+        let covers = self.plan.covers(&PlanRequest { light: &self.light, ..*request });
+        self.covered = covers.then_some(asked);
+        covers
     }
 
     /// Predicted 95th percentile of the footprint in a view.

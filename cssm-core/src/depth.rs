@@ -69,6 +69,7 @@ pub(crate) fn depth_rows(
     let part = from_light.as_ref().unwrap_or(&told_apart);
     let receivers = part.polytope();
     let beside = [Some(&told_apart), from_light.as_ref()].into_iter().flatten().filter_map(Part::beside);
+    let places = places(receivers, w, needs.light);
     let terms = Terms::of(w, needs, samples);
 
     // Try every face of the polytope and the plane across the light (facet algebra: zeta0 = -sign(pi.L) pi).
@@ -83,7 +84,8 @@ pub(crate) fn depth_rows(
         if slope.is_nan() || slope < SMALLEST_SLOPE {
             continue;
         }
-        let (first, last) = range(zeta, w, receivers, slope, needs);
+        let (first, last) = range(zeta, &places, needs.margin_metres_per_w * slope);
+        let first = first - needs.headroom_per_w * slope;
         let extent = last - first;
         if !(extent > 0.0 && extent.is_finite()) {
             continue;
@@ -138,26 +140,25 @@ impl<'a> Part<'a> {
     }
 }
 
-/// Smallest and largest zeta/w over the receivers, margins included. A metre along a local light counts the less the
-/// farther the light is.
-fn range(zeta: DVec4, w: DVec4, receivers: &Polytope, slope: f64, needs: &DepthNeeds<'_>) -> (f64, f64) {
-    let margin = needs.margin_metres_per_w * slope;
-    let headroom = needs.headroom_per_w * slope;
-    if needs.light.w == 0.0 {
-        let (first, last) = receivers.ratio_range(zeta, w);
-        return (first - margin - headroom, last + margin);
-    }
-    let mut ends = (f64::INFINITY, f64::NEG_INFINITY);
-    for vertex in &receivers.vertices {
+/// The receivers' vertices with w = 1, and how much a metre along the light counts there: the less, the farther a local
+/// light is. Vertices whose w vanishes are passed over, see [`Polytope::ratio_range`].
+fn places(receivers: &Polytope, w: DVec4, light: DVec4) -> SmallVec<[(DVec4, f64); 24]> {
+    let place = |vertex: &DVec4| {
         let scale = w.dot(*vertex);
-        if is_negligible(scale, w, *vertex) {
-            continue;
-        }
-        let value = zeta.dot(*vertex) / scale;
-        let margin = margin / light_distance(needs.light, *vertex).max(f64::MIN_POSITIVE);
+        let per_metre = 1.0 / light_distance(light, *vertex).max(f64::MIN_POSITIVE);
+        (!is_negligible(scale, w, *vertex)).then(|| (*vertex / scale, per_metre))
+    };
+    receivers.vertices.iter().filter_map(place).collect()
+}
+
+/// Smallest and largest zeta/w over the receivers, with a margin along the light.
+fn range(zeta: DVec4, places: &[(DVec4, f64)], margin: f64) -> (f64, f64) {
+    let mut ends = (f64::INFINITY, f64::NEG_INFINITY);
+    for (place, per_metre) in places {
+        let (value, margin) = (zeta.dot(*place), margin * per_metre);
         ends = (ends.0.min(value - margin), ends.1.max(value + margin));
     }
-    (ends.0 - headroom, ends.1)
+    ends
 }
 
 /// Distance of a homogeneous point from a local light in metres, infinite at infinity; 1 for a directional light.

@@ -28,7 +28,7 @@ const NARROW_DEPTH_LIMIT: f64 = 1e-2;
 /// The same, and the share of receivers beyond the depth limit, of configurations chosen for local lights, and of every
 /// configuration of them alone.
 const LOCAL_CHOSEN_LIMITS: (f64, f64) = (1.2e-2, 0.08);
-const LOCAL_LIMITS: (f64, f64) = (8e-2, 0.14);
+const LOCAL_LIMITS: (f64, f64) = (8e-2, 0.16);
 /// Share of receivers beyond the depth limit.
 const DEPTH_SHARE: f64 = 0.01;
 /// Distance from a lamp below which receivers are not asked for, in distances of the lamp from the eye (at least a

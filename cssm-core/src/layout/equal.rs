@@ -13,7 +13,7 @@ use crate::plan::PlanError;
 /// Rounds of the search for the footprint; half a dozen is usual.
 const ROUNDS: u32 = 40;
 /// Relative precision of the footprint.
-const PRECISION: f64 = 1e-5;
+const PRECISION: f64 = 5e-5;
 /// Share of the map that tiles of least sides would fill, where the search begins.
 const FIRST_FILL: f64 = 0.8;
 
@@ -159,7 +159,10 @@ impl Search {
             } else {
                 low = footprint;
             }
-            if high.is_finite() && high - low <= PRECISION * high {
+            // Widths fall at least as footprints grow.
+            let close = (1.0 - PRECISION) * fold.map_width;
+            let narrow = high.is_finite() && high - low <= PRECISION * high;
+            if narrow || (close..=fold.map_width).contains(&total) {
                 break;
             }
 

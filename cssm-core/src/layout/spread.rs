@@ -22,6 +22,9 @@ const LONGEST: f64 = 1e15;
 /// Largest values that are kept sorted while values pass by; more are selected.
 const FEW: usize = 8;
 
+/// Scratch for values that are selected.
+type Values = SmallVec<[f64; 64]>;
+
 /// What the tile of some samples must span, upright or turned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
@@ -53,12 +56,10 @@ impl Spread {
     pub const NONE: Self = Self { upright: Extent::NONE, lying: Extent::NONE };
 
     /// What some samples span.
-    pub(crate) fn of(count: usize, grams: impl Iterator<Item = Gram>) -> Self {
-        let mut list: SmallVec<[Gram; 64]> = SmallVec::with_capacity(count);
-        list.extend(grams);
-        let mut values = SmallVec::new();
-        let across = quantile(list.iter().map(|gram| gram.xx), &mut values);
-        let along = quantile(list.iter().map(|gram| gram.yy), &mut values);
+    pub(crate) fn of(grams: &[Gram], may_turn: bool) -> Self {
+        let mut values = Values::new();
+        let across = quantile(grams.iter().map(|gram| gram.xx), &mut values);
+        let along = quantile(grams.iter().map(|gram| gram.yy), &mut values);
         let mut extent = |across: f64, along: f64, of: fn(&Gram) -> (f64, f64)| {
             let square = TRADED * across;
             let least = |gram: &Gram| {
@@ -66,14 +67,13 @@ impl Spread {
                 let free = square - across;
                 if free > 0.0 { along + gram.xy * gram.xy / free } else { f64::INFINITY }
             };
-            let length = quantile(list.iter().map(least), &mut values);
+            let length = quantile(grams.iter().map(least), &mut values);
             let rest = if length.is_finite() { (length - along).max(0.0) } else { along };
             Extent { across, along, shear: rest * (square - across) }
         };
-        Self {
-            upright: extent(across, along, |gram| (gram.xx, gram.yy)),
-            lying: extent(along, across, |gram| (gram.yy, gram.xx)),
-        }
+        let upright = extent(across, along, |gram| (gram.xx, gram.yy));
+        let lying = if may_turn { extent(along, across, |gram| (gram.yy, gram.xx)) } else { Extent::NONE };
+        Self { upright, lying }
     }
 
     /// Product of the least sides, in squares of texels times footprint.
@@ -122,7 +122,7 @@ pub(super) fn widths(spreads: impl Iterator<Item = (Spread, bool)>) -> [f64; WID
 
 /// The value that a share of the samples does not exceed; harmonic between neighbours, so that infinity is reached
 /// continuously. `list` is scratch.
-fn quantile(values: impl ExactSizeIterator<Item = f64>, list: &mut SmallVec<[f64; 64]>) -> f64 {
+fn quantile(values: impl ExactSizeIterator<Item = f64>, list: &mut Values) -> f64 {
     let count = values.len();
     let position = SHARE * count.saturating_sub(1) as f64;
     let (below, part) = (position as usize, position.fract());

@@ -31,7 +31,7 @@ impl Fitted<'_> {
 }
 
 /// Share of sample receivers whose footprint is not above the predicted one.
-const PREDICTED: f64 = 0.95;
+pub(super) const PREDICTED: f64 = 0.95;
 
 /// Fits the windows of a draft and shares the situation's part of the map among them; tiles count from its corner.
 pub(super) fn fit<'a>(
@@ -82,10 +82,11 @@ fn tiles(windows: &mut Windows<'_>, situation: &Situation<'_>) -> Result<Vec<Til
 
     // One demand for each tile; where footprints are not balanced, nobody asks what a tile spans.
     let first = |sharers: &SmallVec<[usize; 4]>| &windows.list[sharers[0]];
-    let balanced = shared.iter().all(|sharers| layout::is_balanced(first(sharers).request()));
+    let balanced = shared.iter().all(|sharers| layout::is_balanced(window::request(first(sharers).draft)));
+    let mut grams = Vec::new();
     let demand = |sharers: &SmallVec<[usize; 4]>| TileDemand {
-        request: first(sharers).request(),
-        spread: if balanced { windows.spread(sharers) } else { Spread::NONE },
+        request: window::request(first(sharers).draft),
+        spread: if balanced { windows.spread(sharers, &mut grams) } else { Spread::NONE },
         may_turn: first(sharers).may_turn(),
     };
     let demands: SmallVec<[TileDemand; 8]> = shared.iter().map(demand).collect();

@@ -2,6 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
+use super::fitted::PREDICTED;
 use super::make::shear;
 use super::visible::{self, Visible};
 use super::{PlanRequest, ShadowPlan};
@@ -33,7 +34,7 @@ pub struct PlanBasis {
 /// world's origin.
 const COVERED: f64 = 1e-9;
 /// Sample receivers by which a held plan is judged.
-const SAMPLES: usize = 1024;
+const SAMPLES: usize = 256;
 
 impl ShadowPlan {
     /// The same plan as seen from another view: every world point has the texel, the depth and the cell that it had,
@@ -113,9 +114,12 @@ impl ShadowPlan {
                 metres * view.pixels_per_tangent() / -point.z
             })
             .collect();
-        footprints.sort_by(f64::total_cmp);
-        let rank = (0.95 * footprints.len() as f64) as usize;
-        footprints.get(rank).copied().unwrap_or(0.0)
+        let rank = (PREDICTED * footprints.len() as f64) as usize;
+        if rank >= footprints.len() {
+            return 0.0;
+        }
+        let (_, p95, _) = footprints.select_nth_unstable_by(rank, f64::total_cmp);
+        *p95
     }
 
     /// Receivers of a view that the plan covers, in the view's camera space; `None` where there are none.

@@ -7,17 +7,23 @@ use smallvec::SmallVec;
 
 use super::inner;
 use crate::facet::FacetRows;
-use crate::layout::{Gram, Spread};
+use crate::layout::{Gram, Spread, is_balanced};
 use crate::polygon::{self, Outline};
 use crate::receivers::Polytope;
 use crate::remap::{Curve, Remap};
 use crate::samples;
 use crate::technique::{Draft, FacetDraft, Region, Situation, TileRequest};
 
-/// Sample receivers of a view.
-pub(super) const SAMPLES: usize = 1024;
+/// Sample receivers of a view for each facet whose tile they size.
+const SAMPLES_PER_FACET: usize = 24;
+/// Fewest and most sample receivers of a view by which tiles are sized.
+const SIZED: (usize, usize) = (256, 768);
+/// Sample receivers of a view by which drafts are compared.
+const COMPARED: usize = 256;
+/// Sample receivers of a view where neither is done.
+const ALONE: usize = 96;
 /// Fewest samples of a facet; the rest come from its own polytope.
-const FEWEST_SAMPLES: usize = 24;
+const FEWEST_SAMPLES: usize = 12;
 /// Extent in x/w or y/w, relative to its size, below which a facet holds no receivers of any area.
 const EMPTY_EXTENT: f64 = 1e-12;
 /// Area in clip space, of 4, below which a facet's receivers lie on a line in the light's view.
@@ -73,41 +79,63 @@ impl Windows<'_> {
         }
     }
 
-    /// What the tile of some windows must span, who share it.
-    pub(super) fn spread(&self, windows: &[usize]) -> Spread {
-        let count = windows.iter().map(|index| self.list[*index].samples.len()).sum();
-        let grams = windows.iter().flat_map(|index| {
+    /// What the tile of some windows must span, who share it. `grams` is scratch.
+    pub(super) fn spread(&self, windows: &[usize], grams: &mut Vec<Gram>) -> Spread {
+        grams.clear();
+        let mut may_turn = true;
+        for index in windows {
             let window = &self.list[*index];
-            let coarser = match window.request() {
-                TileRequest::Coarser { times, focus_metres } => Some((times, focus_metres)),
-                _ => None,
-            };
-            self.samples(window).iter().map(move |sample| match coarser {
-                Some((times, focus)) => sample.gram.shortened(times * (-sample.point.z / focus).max(1.0)),
-                None => sample.gram,
-            })
-        });
-        Spread::of(count, grams)
+            may_turn &= window.may_turn();
+            let samples = self.samples(window).iter();
+            match request(window.draft) {
+                TileRequest::Coarser { times, focus_metres } => {
+                    let grown = |depth: f64| times * (depth / focus_metres).max(1.0);
+                    grams.extend(samples.map(|sample| sample.gram.shortened(grown(-sample.point.z))));
+                }
+                _ => grams.extend(samples.map(|sample| sample.gram)),
+            }
+        }
+        Spread::of(grams, may_turn)
     }
 }
 
 impl Window<'_> {
-    /// What the technique asked for.
-    pub(super) fn request(&self) -> TileRequest {
-        match self.draft.region {
-            Region::Tile(request) | Region::Whole(request) | Region::Triangle { request, .. } => request,
-        }
-    }
-
     /// Whether its tile may be turned: triangles of one square keep their places beside each other; bends belong to y.
     pub(super) fn may_turn(&self) -> bool {
         matches!(self.draft.region, Region::Tile(_)) && self.rows.remap.is_none()
     }
 }
 
-/// Visible points of a situation, camera space, by which every draft is judged.
-pub(super) fn samples(situation: &Situation<'_>) -> Vec<DVec3> {
-    samples::receivers(situation.view, &situation.receivers, SAMPLES)
+/// How many visible points the tiles of a draft are sized by.
+pub(super) fn sized_by(draft: &Draft) -> usize {
+    let facets = draft.facets.len();
+    let is_alone = facets == 1 || !draft.facets.iter().any(is_sized);
+    if is_alone { ALONE } else { (facets * SAMPLES_PER_FACET).clamp(SIZED.0, SIZED.1) }
+}
+
+/// How many visible points some drafts are judged by.
+pub(super) fn judged_by(drafts: &[Draft]) -> usize {
+    match drafts {
+        [draft] => sized_by(draft),
+        _ => COMPARED,
+    }
+}
+
+/// Visible points of a situation, camera space.
+pub(super) fn samples(situation: &Situation<'_>, count: usize) -> Vec<DVec3> {
+    samples::receivers(situation.view, &situation.receivers, count)
+}
+
+/// Whether the facet's tile has a size that samples decide; a square is alone in the map.
+fn is_sized(facet: &FacetDraft) -> bool {
+    !matches!(facet.region, Region::Triangle { .. }) && is_balanced(request(facet))
+}
+
+/// What the technique asked for.
+pub(super) fn request(facet: &FacetDraft) -> TileRequest {
+    match facet.region {
+        Region::Tile(request) | Region::Whole(request) | Region::Triangle { request, .. } => request,
+    }
 }
 
 /// Fits the window of every facet that has receivers.

@@ -254,6 +254,7 @@ fn fetches(case: &LightCase, table: &CaseTable, out: &mut Out) {
         Filter::Gather2x2 => "gather of 4 texels",
         Filter::Pcf { kernel: Kernel::Texels, .. } => "gathers of 4 texels",
         Filter::Pcf { .. } => "gathers of 4 texels, at most",
+        Filter::Evsm2 { .. } => "loads of 1 texel of blurred moments",
         Filter::Pcss { .. } => "gathers of 4 texels to find casters and to blend, at most",
     };
     let map = format!("map {} ({how})", table.fetches_per_pixel);

@@ -304,7 +304,13 @@ fn moments_leave_ground_lit_umbrae_dark_and_edges_soft() {
     const HEIGHT: f64 = 3.0;
     let filter = Filter::Evsm2 { exponent: 20.0, blur_texels: 2, bleeding: 0.1 };
     for case in sunlit(filter) {
-        let scene = Scene::new(case, &sun(), HEIGHT);
+        // Moments need to know what is lit, so the ground is a caster too.
+        let mut scene = Scene::new(case, &sun(), HEIGHT);
+        let corner = |x: f64, z: f64| DVec3::new(x * ENDLESS, GROUND, z * ENDLESS);
+        let [a, b, c, d] = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        let mut triangles = scene.awning.triangles();
+        triangles.extend([[a, b, c], [a, c, d]]);
+        scene.map = capture(&scene.plan, &triangles).stored(scene.case.map.format);
         let name = scene.case.technique.name;
         let along_ray = HEIGHT / scene.plan.light.y;
         let mut random = Random::new(5);

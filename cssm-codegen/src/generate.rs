@@ -138,11 +138,14 @@ fn shader(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> Result<Shade
 fn header(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> String {
     let what = what_it_is(kind, table.clips > 0);
     let mut text = format!("// {}: {what}\n", case.name);
-    let (of_what, axes) = match kind {
-        ShaderKind::Mask | ShaderKind::Function => ("Positions and normals", axes_summary(table.axes)),
-        _ => ("Positions", CAPTURE_AXES),
+    let positions = match kind {
+        ShaderKind::Mask | ShaderKind::Function => Some(("Positions and normals", axes_summary(table.axes))),
+        ShaderKind::PrefilterRows | ShaderKind::PrefilterColumns => None,
+        _ => Some(("Positions", CAPTURE_AXES)),
     };
-    let _ = writeln!(text, "// {of_what} are relative to the eye, in {axes}.");
+    if let Some((of_what, axes)) = positions {
+        let _ = writeln!(text, "// {of_what} are relative to the eye, in {axes}.");
+    }
     for doc in doc_lines(&case.doc) {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}", format!("// {doc}").trim_end());
@@ -187,6 +190,8 @@ pub(crate) fn what_it_is(kind: ShaderKind, clipped: bool) -> &'static str {
             "decides texel by texel the casters that bent rows bend too far for straight edges."
         }
         (ShaderKind::CaptureBentTested, _) => "decides casters with an alpha mask texel by texel.",
+        (ShaderKind::PrefilterRows, _) => "takes moments of the map's depths and blurs them along rows.",
+        (ShaderKind::PrefilterColumns, _) => "blurs moments of the map's depths along columns.",
         (ShaderKind::Mask, _) => "turns the view's depth into a visibility mask.",
         (ShaderKind::Function, _) => "visibility of a point, for the engine's own materials.",
     }

@@ -123,6 +123,11 @@ library![
     "filter_casters_flat",
     "filter_casters_plane",
     "filter_pcss",
+    "moments_warp",
+    "moments_tile",
+    "prefilter_rows",
+    "prefilter_columns",
+    "filter_moments",
     "visibility_one_unbiased",
     "visibility_one_biased",
     "visibility_one_normal",
@@ -175,6 +180,12 @@ pub(crate) fn pick(
         }
         ShaderKind::CaptureBentTested => {
             (capture(table, shader), &["capture_bent_tested_vertex", "capture_bent_tested_fragment"])
+        }
+        ShaderKind::PrefilterRows => {
+            (prefilter(table, shader), &["prefilter_rows_vertex", "prefilter_rows_fragment"])
+        }
+        ShaderKind::PrefilterColumns => {
+            (prefilter(table, shader), &["prefilter_columns_vertex", "prefilter_columns_fragment"])
         }
         ShaderKind::Mask => {
             let mut names = visibility(case, table);
@@ -230,6 +241,19 @@ fn is_bent(shader: ShaderKind) -> bool {
 /// Whether a table's casters are told apart by how far rows bend their edges.
 fn bends_exactly(table: &CaseTable) -> bool {
     table.group(ShaderKind::CaptureBent, GroupContent::CasterMesh).is_some()
+}
+
+/// Files of a pass of the prefilter.
+fn prefilter(table: &CaseTable, shader: ShaderKind) -> Vec<&'static str> {
+    if shader == ShaderKind::PrefilterColumns {
+        return vec!["moments_tile", "prefilter_columns"];
+    }
+    vec!["moments_tile", "moments_warp", order(table), "prefilter_rows"]
+}
+
+/// The file that tells which way depths compare.
+fn order(table: &CaseTable) -> &'static str {
+    if table.may_reverse_depth { "order_chosen" } else { "order_fixed" }
 }
 
 /// Files of a capture shader.
@@ -351,7 +375,7 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
     ));
 
     // Tell which way depths compare.
-    names.push(if table.may_reverse_depth { "order_chosen" } else { "order_fixed" });
+    names.push(order(table));
     if case.filter == Filter::Hardware2x2 {
         names.push(if table.may_reverse_depth { "sampler_chosen" } else { "sampler_fixed" });
     }
@@ -394,6 +418,7 @@ fn filter(case: &LightCase, table: &CaseTable, plane: bool) -> Vec<&'static str>
         (Filter::Hardware2x2, true) => return vec!["filter_hardware_plane"],
         (Filter::Gather2x2, false) => return vec!["filter_gather_flat"],
         (Filter::Gather2x2, true) => return vec!["filter_gather_plane"],
+        (Filter::Evsm2 { .. }, _) => return vec!["moments_warp", "filter_moments"],
         (Filter::Pcf { kernel: Kernel::Texels, .. }, _) => &["kernel_texels", "filter_pcf_fixed"],
         (Filter::Pcf { kernel: Kernel::Metres(_), .. }, _) => &["kernel_metres", "filter_pcf_varying"],
         (Filter::Pcf { kernel: Kernel::Pixels(_), .. }, _) => &["kernel_pixels", "filter_pcf_varying"],

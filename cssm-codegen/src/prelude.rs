@@ -63,9 +63,11 @@ pub(crate) fn binding_type(kind: BindingKind) -> &'static str {
         BindingKind::Map | BindingKind::SceneDepth => "texture_depth_2d",
         BindingKind::MeshLayout => "array<vec4<u32>, 2>",
         BindingKind::MeshPositions | BindingKind::MeshIndices | BindingKind::MeshUvs => "array<u32>",
-        BindingKind::SceneLinearDepth | BindingKind::SceneNormal | BindingKind::CasterMask => {
-            "texture_2d<f32>"
-        }
+        BindingKind::SceneLinearDepth
+        | BindingKind::SceneNormal
+        | BindingKind::CasterMask
+        | BindingKind::MomentRows
+        | BindingKind::Moments => "texture_2d<f32>",
         BindingKind::ComparisonSampler => "sampler_comparison",
         BindingKind::GatherSampler | BindingKind::CasterMaskSampler => "sampler",
     }
@@ -80,6 +82,8 @@ pub(crate) fn binding_summary(table: &CaseTable, kind: BindingKind) -> &'static 
         BindingKind::Uniform { record: RecordKind::CasterMask, .. } => "How the caster's mask is read.",
         BindingKind::Uniform { record: RecordKind::Mask, .. } => "The view.",
         BindingKind::Map => "The shadow map.",
+        BindingKind::MomentRows => "Mean and mean square of warped depths, blurred along rows.",
+        BindingKind::Moments => "Mean and mean square of warped depths, blurred.",
         BindingKind::MeshLayout => "Where the caster's vertices lie in its buffers.",
         BindingKind::MeshPositions => "Positions of the caster, as words.",
         BindingKind::MeshIndices => "Indices of the caster, as words.",

@@ -147,6 +147,16 @@ fn soft_edges_of_a_light_that_stands_near() {
 }
 
 #[test]
+fn moments() {
+    let variant = declared("filter: evsm_2, resolve: [function]");
+    for shader in [ShaderKind::PrefilterRows, ShaderKind::PrefilterColumns, ShaderKind::Function] {
+        insta::assert_snapshot!(format!("evsm.{}.wgsl", shader.name()), wgsl(&variant, shader));
+    }
+    insta::assert_snapshot!("evsm.json", variant.json);
+    insta::assert_snapshot!("evsm.explain", variant.explain);
+}
+
+#[test]
 fn receiver_plane_and_no_filter() {
     let variant = declared("bias: receiver_plane, filter: none, resolve: [function]");
     insta::assert_snapshot!("plane_none.function.wgsl", wgsl(&variant, ShaderKind::Function));

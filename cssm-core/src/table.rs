@@ -300,6 +300,8 @@ pub enum GroupContent {
     CasterMesh,
     /// Alpha mask of a caster.
     CasterMask,
+    /// The plan's tiles and what a pass of the prefilter reads.
+    Prefilter,
     /// The engine's depth (and normals) and the view.
     MaskInput,
     /// The plan, the map and its sampler.
@@ -329,6 +331,10 @@ pub enum BindingKind {
     },
     /// The shadow map: `texture_depth_2d`.
     Map,
+    /// Moments of the map's depths, blurred along rows: `texture_2d<f32>` of two channels, not filtered.
+    MomentRows,
+    /// Moments of the map's depths, blurred: `texture_2d<f32>` of two channels, not filtered.
+    Moments,
     /// The engine's depth: `texture_depth_2d`.
     SceneDepth,
     /// The engine's linear depth: `texture_2d<f32>`, not filtered.
@@ -372,6 +378,10 @@ pub enum ShaderKind {
     CaptureBent,
     /// Decides every triangle of casters with an alpha mask texel by texel.
     CaptureBentTested,
+    /// Takes moments of the map's depths and blurs them along rows, tile by tile.
+    PrefilterRows,
+    /// Blurs moments along columns, tile by tile.
+    PrefilterColumns,
     /// Screen-space visibility.
     Mask,
     /// The function for the engine's materials; no entry point.
@@ -388,6 +398,8 @@ impl ShaderKind {
             Self::CaptureTestedClamped => "capture_tested_clamped",
             Self::CaptureBent => "capture_bent",
             Self::CaptureBentTested => "capture_bent_tested",
+            Self::PrefilterRows => "prefilter_rows",
+            Self::PrefilterColumns => "prefilter_columns",
             Self::Mask => "mask",
             Self::Function => "function",
         }
@@ -418,6 +430,10 @@ pub enum Resource {
     CasterMasks,
     /// The shadow map.
     Map,
+    /// Moments blurred along rows.
+    MomentRows,
+    /// Blurred moments.
+    Moments,
     /// The engine's depth.
     SceneDepth,
     /// The engine's normals.
@@ -433,6 +449,8 @@ impl Resource {
             Self::Casters => "casters",
             Self::CasterMasks => "caster masks",
             Self::Map => "map",
+            Self::MomentRows => "moment rows",
+            Self::Moments => "moments",
             Self::SceneDepth => "scene depth",
             Self::SceneNormal => "scene normal",
             Self::Mask => "mask",

@@ -5,6 +5,7 @@
 
 mod capture;
 mod kernel;
+mod moments;
 mod resolve;
 
 pub use capture::{Triangle, capture, capture_tested};

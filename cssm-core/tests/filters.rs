@@ -298,3 +298,40 @@ fn kernels_that_measure_are_continuous_across_facets() {
     assert!(crossings >= 2, "{crossings}");
     assert!(metres < 0.05 && soft < 0.03 && texels > 2.0 * metres, "{texels} {metres} {soft}");
 }
+
+#[test]
+fn moments_leave_ground_lit_umbrae_dark_and_edges_soft() {
+    const HEIGHT: f64 = 3.0;
+    let filter = Filter::Evsm2 { exponent: 20.0, blur_texels: 2, bleeding: 0.1 };
+    for case in sunlit(filter) {
+        // Moments need to know what is lit, so the ground is a caster too.
+        let mut scene = Scene::new(case, &sun(), HEIGHT);
+        let corner = |x: f64, z: f64| DVec3::new(x * ENDLESS, GROUND, z * ENDLESS);
+        let [a, b, c, d] = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        let mut triangles = scene.awning.triangles();
+        triangles.extend([[a, b, c], [a, c, d]]);
+        scene.map = capture(&scene.plan, &triangles).stored(scene.case.map.format);
+        let name = scene.case.technique.name;
+        let along_ray = HEIGHT / scene.plan.light.y;
+        let mut random = Random::new(5);
+        let (mut lit, mut dark, mut soft) = (0, 0, 0);
+        for _ in 0..20_000 {
+            let (along, offset) = (random.between(0.0, 100.0), random.between(-1.0, 1.0).powi(5));
+            let point = scene.awning.ground(scene.plan.light, along, 200.0 * offset, 0.01);
+            let per_metre = scene.texels_per_metre(point).filter(|_| scene.is_seen(point));
+            let Some(per_metre) = per_metre else { continue };
+            let clear = scene.awning.clearance(scene.plan.light, point) * along_ray * per_metre.min_element();
+            let visibility = scene.visibility(point);
+            if clear > 8.0 {
+                assert!(visibility > 0.999, "{name}: {visibility} in the light at {point}");
+                lit += 1;
+            } else if clear < -8.0 {
+                assert!(visibility < 0.02, "{name}: {visibility} in the shadow at {point}");
+                dark += 1;
+            } else {
+                soft += usize::from(visibility > 0.05 && visibility < 0.95);
+            }
+        }
+        assert!(lit > 1000 && dark > 1000 && soft > 50, "{name}: {lit} {dark} {soft}");
+    }
+}

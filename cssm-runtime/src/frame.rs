@@ -17,6 +17,7 @@ use crate::culling::{CulledFrame, Culling};
 use crate::depth_order::ByOrder;
 use crate::error::ServiceError;
 use crate::layout::{bind_group, record_bytes, required_group, shadow_group};
+use crate::prefilter::{Prefilter, PrefilterGroups};
 use crate::scope::checked;
 
 /// One view of one frame, uploaded and ready to be captured and resolved.
@@ -85,6 +86,7 @@ impl UniformLayout {
 pub(crate) struct SlotLayouts {
     pub(crate) capture: wgpu::BindGroupLayout,
     pub(crate) shadow: Option<wgpu::BindGroupLayout>,
+    pub(crate) prefilter: Option<Prefilter>,
     pub(crate) uniforms: UniformLayout,
 }
 
@@ -95,6 +97,7 @@ pub(crate) struct Slot {
     pub(crate) instances: wgpu::Buffer,
     pub(crate) capture_group: wgpu::BindGroup,
     pub(crate) shadow_groups: Option<ByOrder<wgpu::BindGroup>>,
+    pub(crate) prefilter_groups: Option<PrefilterGroups>,
 }
 
 /// Slots that come back.
@@ -182,7 +185,11 @@ impl Slot {
             }
             _ => None,
         };
-        Ok(Self { uniforms, instances, capture_group, shadow_groups })
+        let bind = |prefilter: &Prefilter| {
+            prefilter.bind(device, table, atlas, (&uniforms, layouts.uniforms.shadow_offset))
+        };
+        let prefilter_groups = layouts.prefilter.as_ref().map(bind).transpose()?;
+        Ok(Self { uniforms, instances, capture_group, shadow_groups, prefilter_groups })
     }
 }
 

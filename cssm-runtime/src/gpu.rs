@@ -8,9 +8,10 @@ use crate::atlas::Atlas;
 use crate::capture::{CapturePipelines, fetches_by_itself};
 use crate::culling::{Culling, GpuCulling};
 use crate::error::ServiceError;
-use crate::frame::{SlotLayouts, SlotPool, UniformLayout};
+use crate::frame::{Slot, SlotLayouts, SlotPool, UniformLayout};
 use crate::health::HealthProbe;
 use crate::layout::{group_layout, required_group, shadow_group};
+use crate::prefilter::Prefilter;
 use crate::requirements::{check_limits, check_records};
 use crate::resolve::MaskPipeline;
 use crate::scope::checked;
@@ -60,7 +61,8 @@ impl Gpu {
             (group_layout(device, table, capture_group, capture_stages), shadow)
         })?;
         let uniforms = UniformLayout::new(table, limits.min_uniform_buffer_offset_alignment);
-        let layouts = SlotLayouts { capture, shadow, uniforms };
+        let prefilter = Prefilter::new(device, table)?;
+        let layouts = SlotLayouts { capture, shadow, prefilter, uniforms };
 
         let atlas = checked(device, "the map", || Atlas::new(device, table, shared_map))?;
         let capture = CapturePipelines::new(device, table, options.clamp_in_fragments, &layouts.capture)?;
@@ -81,6 +83,14 @@ impl Gpu {
             identity: Arc::new(()),
         };
         if gpu.probe.device_lost(device) { Err(ServiceError::DeviceLost) } else { Ok(gpu) }
+    }
+
+    /// Records the prefilter over the tiles of a frame that was just captured, where the case has one.
+    pub(crate) fn prefilter(&self, encoder: &mut wgpu::CommandEncoder, slot: &Slot) {
+        let parts = (&self.layouts.prefilter, &self.atlas.moments, &slot.prefilter_groups);
+        if let (Some(prefilter), Some(moments), Some(groups)) = parts {
+            prefilter.replay(encoder, moments, groups);
+        }
     }
 
     /// A lost device accepts some calls, refuses others for odd reasons and does nothing: ask it before believing.

@@ -126,9 +126,10 @@ fn binding_type(table: &CaseTable, kind: BindingKind) -> wgpu::BindingType {
             }
         }
         BindingKind::Map | BindingKind::SceneDepth => texture(wgpu::TextureSampleType::Depth),
-        BindingKind::SceneLinearDepth | BindingKind::SceneNormal => {
-            texture(wgpu::TextureSampleType::Float { filterable: false })
-        }
+        BindingKind::SceneLinearDepth
+        | BindingKind::SceneNormal
+        | BindingKind::MomentRows
+        | BindingKind::Moments => texture(wgpu::TextureSampleType::Float { filterable: false }),
         BindingKind::CasterMask => texture(wgpu::TextureSampleType::Float { filterable: true }),
         BindingKind::CasterMaskSampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
         BindingKind::ComparisonSampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison),
@@ -147,6 +148,7 @@ impl Label for GroupContent {
             Self::CaptureFacet => "capture facet",
             Self::CasterMesh => "caster mesh",
             Self::CasterMask => "caster mask",
+            Self::Prefilter => "prefilter",
             Self::MaskInput => "mask input",
             Self::Shadow => "shadow",
         }

@@ -98,6 +98,7 @@ mod health;
 mod layout;
 pub mod lights;
 mod mesh;
+mod prefilter;
 pub mod read_back;
 mod requirements;
 mod resolve;

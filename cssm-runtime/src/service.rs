@@ -270,6 +270,7 @@ impl ShadowService {
         let stride = layouts.uniforms.facet_stride;
         let mesh = |mesh| self.mesh(mesh);
         capture.replay(encoder, &atlas.view, frame, stride, mesh, timestamps);
+        self.gpu.prefilter(encoder, &frame.slot);
         keep_until_done(encoder, frame);
         Ok(())
     }

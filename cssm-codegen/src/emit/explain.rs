@@ -104,6 +104,9 @@ fn conventions(case: &LightCase, table: &CaseTable, out: &mut Out) {
     });
 }
 
+/// Bytes of a texel of moments: two 32-bit floats.
+const MOMENT_BYTES: u64 = 8;
+
 fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
     out.section("tiles");
     let format = case.map.format;
@@ -111,6 +114,12 @@ fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
     let mebibytes = (texels * u64::from(format.bytes_per_texel())) as f64 / f64::from(1 << 20);
     let (width, height) = (table.map_width, table.map_height);
     out.line(format!("  map of {width} x {height} texels, {}, {mebibytes:.1} MiB", format.name()));
+    if case.filter.is_prefiltered() {
+        let mebibytes = (texels * MOMENT_BYTES) as f64 / f64::from(1 << 20);
+        out.line(format!(
+            "  moments of as many texels, blurred along rows and then columns, {mebibytes:.1} MiB each"
+        ));
+    }
     let facets = table.cells();
     let CaseTable { halves, sectors, bands, .. } = *table;
     let halves = if halves > 1 { format!("halves {halves} x ") } else { String::new() };
@@ -254,6 +263,7 @@ fn fetches(case: &LightCase, table: &CaseTable, out: &mut Out) {
         Filter::Gather2x2 => "gather of 4 texels",
         Filter::Pcf { kernel: Kernel::Texels, .. } => "gathers of 4 texels",
         Filter::Pcf { .. } => "gathers of 4 texels, at most",
+        Filter::Evsm2 { .. } => "loads of 1 texel of blurred moments",
         Filter::Pcss { .. } => "gathers of 4 texels to find casters and to blend, at most",
     };
     let map = format!("map {} ({how})", table.fetches_per_pixel);

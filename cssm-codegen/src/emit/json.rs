@@ -258,6 +258,7 @@ impl<'a> JsonGroup<'a> {
             GroupContent::CaptureFacet => "capture_facet",
             GroupContent::CasterMask => "caster_mask",
             GroupContent::CasterMesh => "caster_mesh",
+            GroupContent::Prefilter => "prefilter",
             GroupContent::MaskInput => "mask_input",
             GroupContent::Shadow => "shadow",
         };
@@ -281,6 +282,8 @@ impl<'a> JsonBinding<'a> {
             BindingKind::MeshIndices => "mesh_indices",
             BindingKind::MeshUvs => "mesh_uvs",
             BindingKind::Map => "map",
+            BindingKind::MomentRows => "moment_rows",
+            BindingKind::Moments => "moments",
             BindingKind::SceneDepth => "scene_depth",
             BindingKind::SceneLinearDepth => "scene_linear_depth",
             BindingKind::SceneNormal => "scene_normal",

@@ -15,13 +15,15 @@ use super::{LIBRARY, caster_entry, pick};
 use crate::compose::Prefix;
 use crate::{generate, judge, prelude, wgsl};
 
-const SHADERS: [ShaderKind; 8] = [
+const SHADERS: [ShaderKind; 10] = [
     ShaderKind::Capture,
     ShaderKind::CaptureClamped,
     ShaderKind::CaptureTested,
     ShaderKind::CaptureTestedClamped,
     ShaderKind::CaptureBent,
     ShaderKind::CaptureBentTested,
+    ShaderKind::PrefilterRows,
+    ShaderKind::PrefilterColumns,
     ShaderKind::Mask,
     ShaderKind::Function,
 ];
@@ -74,7 +76,8 @@ fn resolve_cases() -> Vec<LightCase> {
         Bias::WorldTexel { a_metres: 0.01, b_texels: 1.5 },
         Bias::ReceiverPlane,
     ];
-    let narrow = [Filter::None, Filter::Hardware2x2, Filter::Gather2x2];
+    let moments = Filter::Evsm2 { exponent: 20.0, blur_texels: 2, bleeding: 0.1 };
+    let narrow = [Filter::None, Filter::Hardware2x2, Filter::Gather2x2, moments];
     let mut cases = Vec::new();
     for bias in biases {
         let case = |light| LightCase::builder("Reference").light(light).bias(bias);

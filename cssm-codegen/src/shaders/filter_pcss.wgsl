@@ -2,13 +2,10 @@
 // (Fernando, percentage-closer soft shadows, 2005), in metres across the light, whatever the facet's warp. Every texel
 // of both boxes is read and worth its exact overlap: no noise, and no steps.
 
-/// A depth nearer to the light than any.
-const BEFORE_ALL: f32 = -2.0;
-
 /// Share of light that reaches the receiver.
 fn filtered_visibility(receiver: Receiver, kernel: Kernel) -> f32 {
     // Average the casters that could reach the receiver, up to the near end of depth.
-    let highest = receiver.reference - held_depth(BEFORE_ALL);
+    let highest = receiver.reference - nearest_depth();
     let search = clamp(kernel.per_depth * highest, vec2<f32>(NARROWEST_KERNEL), kernel.widest);
     let casters = casters_in_box(receiver, search);
     if casters.x <= 0.0 {

@@ -19,3 +19,13 @@ fn lit_by_four(references: vec4<f32>, stored: vec4<f32>) -> vec4<f32> {
 fn before_by_four(references: vec4<f32>, stored: vec4<f32>) -> vec4<f32> {
     return references - stored;
 }
+
+/// A stored depth as references are: growing away from the light.
+fn comparable_depth(stored: f32) -> f32 {
+    return stored;
+}
+
+/// The depth nearest to the light.
+fn nearest_depth() -> f32 {
+    return 0.0;
+}

@@ -47,7 +47,7 @@ pub(super) fn related(field: &str) -> &'static [&'static str] {
         "distribution" => &["technique", "configurations"],
         "technique" => &["view", "shadow_distance", "bounds"],
         "map.gutter" => &["filter"],
-        "filter.pcss.angle" | "filter.pcss.radius" => &["light"],
+        "filter" | "filter.pcss.angle" | "filter.pcss.radius" => &["light"],
         "resolve.mask.normal" => &["bias"],
         "prefix" => &["name"],
         _ => &[],
@@ -165,6 +165,13 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
             &format!("filter.pcss.{misplaced}"),
             format!("`{misplaced}` is declared, but the light is of kind `{}`", light.name()),
             format!("give `{instead}`, or leave it out"),
+        ));
+    }
+    if case.filter.is_prefiltered() && light.is_local() {
+        errors.push(error(
+            "filter",
+            format!("filter `{}` is not made for a light of kind `{}`", case.filter.name(), light.name()),
+            "use `pcss` or `pcf_5x5`, or declare a directional light",
         ));
     }
     let reach = case.filter.radius_texels();

@@ -28,6 +28,17 @@ pub enum Filter {
         /// Half the widest box, for the search of casters and for the edge alike.
         reach_texels: u32,
     },
+    /// Mean and mean square of exponentially warped depths, blurred ahead of resolving; what they say of the share of
+    /// casters before the receiver is its shadow (exponential variance shadow maps, Lauritzen and McCool 2008, with the
+    /// positive exponent alone).
+    Evsm2 {
+        /// Exponent over a facet's whole depth.
+        exponent: f64,
+        /// Texels to either side that moments are blurred over, within the tile.
+        blur_texels: u32,
+        /// Share of light below which a receiver counts as dark: takes away light that leaks from one caster to another.
+        bleeding: f64,
+    },
 }
 
 /// Extent of a light that throws soft shadows.
@@ -98,6 +109,7 @@ impl Filter {
             Self::Pcf { size: PcfSize::Five, .. } => "pcf_5x5",
             Self::Pcf { size: PcfSize::Seven, .. } => "pcf_7x7",
             Self::Pcss { .. } => "pcss",
+            Self::Evsm2 { .. } => "evsm_2",
         }
     }
 
@@ -109,6 +121,7 @@ impl Filter {
             Self::Hardware2x2 | Self::Gather2x2 => 1,
             Self::Pcf { size, .. } => size.texels().div_ceil(2),
             Self::Pcss { reach_texels, .. } => reach_texels,
+            Self::Evsm2 { blur_texels, .. } => blur_texels + 1,
         }
     }
 
@@ -119,7 +132,13 @@ impl Filter {
             Self::Hardware2x2 | Self::Gather2x2 => 2,
             Self::Pcf { size, .. } => size.texels() + 1,
             Self::Pcss { reach_texels, .. } => 2 * reach_texels + 1,
+            Self::Evsm2 { blur_texels, .. } => 2 * blur_texels + 2,
         }
+    }
+
+    /// Whether the map is filtered ahead of resolving.
+    pub const fn is_prefiltered(self) -> bool {
+        matches!(self, Self::Evsm2 { .. })
     }
 
     /// Whether the filter has a kernel of a width that it finds receiver by receiver.
@@ -152,6 +171,14 @@ impl Filter {
                 };
                 Word::with(self.name(), [source, ("reach", Value::Count(reach_texels))])
             }
+            Self::Evsm2 { exponent, blur_texels, bleeding } => {
+                let arguments = [
+                    ("exponent", Value::Number(exponent)),
+                    ("blur", Value::Count(blur_texels)),
+                    ("bleeding", Value::Number(bleeding)),
+                ];
+                Word::with(self.name(), arguments)
+            }
             Self::None | Self::Hardware2x2 | Self::Gather2x2 => Word::plain(self.name()),
         }
     }
@@ -166,6 +193,11 @@ impl Filter {
             "pcf_3x3" => pcf(PcfSize::Three),
             "pcf_5x5" => pcf(PcfSize::Five),
             "pcf_7x7" => pcf(PcfSize::Seven),
+            "evsm_2" => Self::Evsm2 {
+                exponent: word.arguments.number("exponent").unwrap_or(1.0),
+                blur_texels: word.arguments.count("blur").unwrap_or(0),
+                bleeding: word.arguments.number("bleeding").unwrap_or(0.0),
+            },
             "pcss" => {
                 let number = |name: &str| word.arguments.number(name);
                 let source = if light.is_local() {
@@ -268,6 +300,27 @@ const PCSS: &[Field] = &[
     },
 ];
 
+const EVSM: &[Field] = &[
+    Field {
+        name: "exponent",
+        summary: "exponent over the whole depth of a facet; the larger, the less light leaks",
+        kind: Kind::Number { min: 1.0, max: 42.0, open: false, unit: Unit::None },
+        default: Default::Value("20"),
+    },
+    Field {
+        name: "blur",
+        summary: "texels to either side that moments are blurred over, within the tile",
+        kind: Kind::Count { min: 1, max: 8 },
+        default: Default::Value("2"),
+    },
+    Field {
+        name: "bleeding",
+        summary: "share of light below which a receiver is dark, against light that leaks between casters",
+        kind: Kind::Number { min: 0.0, max: 0.95, open: false, unit: Unit::None },
+        default: Default::Value("0.1"),
+    },
+];
+
 /// Filters in declarations.
 pub(super) const FILTERS: &[Choice] = &[
     Choice::plain("none", "nearest texel, hard edge"),
@@ -292,5 +345,10 @@ pub(super) const FILTERS: &[Choice] = &[
         name: "pcss",
         summary: "a box as wide as the light's extent makes the shadow's edge, in metres",
         arguments: PCSS,
+    },
+    Choice {
+        name: "evsm_2",
+        summary: "moments of warped depth, blurred ahead of resolving; for directional lights",
+        arguments: EVSM,
     },
 ];

@@ -26,6 +26,12 @@ pub enum ConstantKind {
     KernelMetres,
     /// Half the width of the filter's kernel, screen pixels.
     KernelPixels,
+    /// Exponent over a facet's whole depth.
+    Exponent,
+    /// Texels to either side that moments are blurred over.
+    Blur,
+    /// Share of light below which a receiver counts as dark.
+    Bleeding,
     /// Radius of the light: at a metre's distance for a directional light, in metres for a local one.
     LightRadius,
     /// Sectors around the eye.
@@ -57,6 +63,9 @@ impl ConstantKind {
             Self::WidestKernel => "WIDEST_KERNEL",
             Self::KernelMetres => "KERNEL_METRES",
             Self::KernelPixels => "KERNEL_PIXELS",
+            Self::Exponent => "EXPONENT",
+            Self::Blur => "BLUR",
+            Self::Bleeding => "BLEEDING",
             Self::LightRadius => "LIGHT_RADIUS",
             Self::Sectors => "SECTORS",
             Self::Bands => "BANDS",
@@ -78,6 +87,9 @@ impl ConstantKind {
             Self::WidestKernel => "Half the widest kernel in texels.",
             Self::KernelMetres => "Half the width of the kernel, metres across the light.",
             Self::KernelPixels => "Half the width of the kernel in screen pixels.",
+            Self::Exponent => "Exponent over a facet's whole depth.",
+            Self::Blur => "Texels to either side that moments are blurred over.",
+            Self::Bleeding => "Share of light below which a receiver counts as dark.",
             Self::LightRadius => {
                 "Radius of the light: at a metre's distance for a directional light, in metres for a local one."
             }

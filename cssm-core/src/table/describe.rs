@@ -29,6 +29,13 @@ impl CaseTable {
             passes.push(capture_pass(&names, *shader));
         }
 
+        if case.filter.is_prefiltered() {
+            for shader in [ShaderKind::PrefilterRows, ShaderKind::PrefilterColumns] {
+                groups.push(prefilter_group(&names, shader));
+                passes.push(prefilter_pass(&names, shader));
+            }
+        }
+
         // Resolving shares one record and one group layout between its interfaces.
         records.push(facet_record(&names, case));
         records.push(shadow_record(&names, case, records[0].size_bytes));
@@ -42,7 +49,7 @@ impl CaseTable {
                     records.push(mask_record(&names, depth));
                     groups.push(mask_group(&names, depth, normal));
                     groups.push(shadow_group(&names, case, ShaderKind::Mask, 1));
-                    passes.push(mask_pass(&names, normal));
+                    passes.push(mask_pass(&names, case.filter, normal));
                 }
                 Resolve::Function { group, .. } => {
                     groups.push(shadow_group(&names, case, ShaderKind::Function, group));
@@ -91,6 +98,7 @@ const fn fetches_per_pixel(filter: Filter) -> u32 {
             let gathers = filter.texels_across().div_ceil(2);
             2 * gathers * gathers
         }
+        Filter::Evsm2 { .. } => 4,
     }
 }
 
@@ -165,6 +173,11 @@ fn constants(names: &Names, case: &LightCase) -> Vec<Constant> {
             Kernel::Metres(width) => push(ConstantKind::KernelMetres, ConstantValue::F32(0.5 * width as f32)),
             Kernel::Pixels(width) => push(ConstantKind::KernelPixels, ConstantValue::F32(0.5 * width as f32)),
         }
+    }
+    if let Filter::Evsm2 { exponent, blur_texels, bleeding } = case.filter {
+        push(ConstantKind::Exponent, ConstantValue::F32(exponent as f32));
+        push(ConstantKind::Blur, ConstantValue::U32(blur_texels));
+        push(ConstantKind::Bleeding, ConstantValue::F32(bleeding as f32));
     }
     if let Filter::Pcss { source, reach_texels } = case.filter {
         push(ConstantKind::WidestKernel, ConstantValue::F32(reach_texels as f32));
@@ -415,12 +428,16 @@ fn mask_group(names: &Names, depth: MaskDepth, normal: MaskNormal) -> BindGroup 
 
 fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32) -> BindGroup {
     let plan = BindingKind::Uniform { record: RecordKind::Shadow, dynamic_offset: false };
+    let (map, kind) = match case.filter.is_prefiltered() {
+        true => ("moments", BindingKind::Moments),
+        false => ("map", BindingKind::Map),
+    };
     let mut bindings = vec![
         Binding { binding: 0, name: names.value("shadow"), kind: plan },
-        Binding { binding: 1, name: names.value("map"), kind: BindingKind::Map },
+        Binding { binding: 1, name: names.value(map), kind },
     ];
     let sampler = match case.filter {
-        Filter::None => None,
+        Filter::None | Filter::Evsm2 { .. } => None,
         Filter::Hardware2x2 => Some(BindingKind::ComparisonSampler),
         Filter::Gather2x2 | Filter::Pcf { .. } | Filter::Pcss { .. } => Some(BindingKind::GatherSampler),
     };
@@ -439,6 +456,39 @@ fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32)
     BindGroup { shader, content: GroupContent::Shadow, group, bindings: bindings.into() }
 }
 
+/// What a pass of the prefilter reads.
+const fn prefilter_source(shader: ShaderKind) -> (&'static str, BindingKind, &'static [Resource]) {
+    match shader {
+        ShaderKind::PrefilterColumns => ("moment_rows", BindingKind::MomentRows, &[Resource::MomentRows]),
+        _ => ("map", BindingKind::Map, &[Resource::Map]),
+    }
+}
+
+fn prefilter_group(names: &Names, shader: ShaderKind) -> BindGroup {
+    let plan = BindingKind::Uniform { record: RecordKind::Shadow, dynamic_offset: false };
+    let (source, kind, _) = prefilter_source(shader);
+    let bindings = vec![
+        Binding { binding: 0, name: names.value("shadow"), kind: plan },
+        Binding { binding: 1, name: names.value(source), kind },
+    ];
+    BindGroup { shader, content: GroupContent::Prefilter, group: 0, bindings: bindings.into() }
+}
+
+fn prefilter_pass(names: &Names, shader: ShaderKind) -> Pass {
+    let (.., reads) = prefilter_source(shader);
+    let writes = match shader {
+        ShaderKind::PrefilterColumns => &[Resource::Moments],
+        _ => &[Resource::MomentRows],
+    };
+    Pass {
+        shader,
+        vertex: names.value(&format!("{}_vertex", shader.name())),
+        fragment: Some(names.value(&format!("{}_fragment", shader.name()))),
+        reads: Cow::Borrowed(reads),
+        writes: Cow::Borrowed(writes),
+    }
+}
+
 fn capture_pass(names: &Names, shader: ShaderKind) -> Pass {
     let reads = if is_tested(shader) {
         &[Resource::Casters, Resource::CasterMasks][..]
@@ -455,17 +505,19 @@ fn capture_pass(names: &Names, shader: ShaderKind) -> Pass {
     }
 }
 
-fn mask_pass(names: &Names, normal: MaskNormal) -> Pass {
+fn mask_pass(names: &Names, filter: Filter, normal: MaskNormal) -> Pass {
+    use Resource::{Map, Moments, SceneDepth, SceneNormal};
+    let reads: &'static [Resource] = match (normal, filter.is_prefiltered()) {
+        (MaskNormal::Reconstructed, false) => &[Map, SceneDepth],
+        (MaskNormal::Reconstructed, true) => &[Moments, SceneDepth],
+        (MaskNormal::Texture, false) => &[Map, SceneDepth, SceneNormal],
+        (MaskNormal::Texture, true) => &[Moments, SceneDepth, SceneNormal],
+    };
     Pass {
         shader: ShaderKind::Mask,
         vertex: names.value("mask_vertex"),
         fragment: Some(names.value("mask_fragment")),
-        reads: match normal {
-            MaskNormal::Reconstructed => Cow::Borrowed(&[Resource::Map, Resource::SceneDepth]),
-            MaskNormal::Texture => {
-                Cow::Borrowed(&[Resource::Map, Resource::SceneDepth, Resource::SceneNormal])
-            }
-        },
+        reads: Cow::Borrowed(reads),
         writes: Cow::Borrowed(&[Resource::Mask]),
     }
 }

@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::moments::Moments;
 use super::{DepthMap, kernel};
 use crate::case::{Bias, Filter, LightCase, Stretch};
 use crate::distribution::RemapKind;
@@ -95,6 +96,11 @@ pub fn resolve(
             let wanted = kernel::half_widths(kernel, widest, per_metre, pixel_metres);
             let half_widths = wanted.min(kernel::room(&facet.tile, texel));
             kernel::lit_in_box(texel, half_widths, |corner| lit_at(reference.at(corner + 0.5), corner))
+        }
+        Filter::Evsm2 { exponent, blur_texels, bleeding } => {
+            let moments = Moments { exponent, blur_texels, bleeding };
+            let behind = reference.depth.clamp(nearest, farthest) - nearest;
+            moments.visibility(&facet.tile, texel, behind, |corner| sign * stored(corner) - nearest)
         }
         Filter::Pcss { source, reach_texels } => {
             let per_metre = kernel::texels_per_metre(&facet.tile, &gradients);

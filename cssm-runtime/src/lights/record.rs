@@ -66,6 +66,12 @@ impl LightService {
                 self.draw(&mut pass, (shadow, frame), culled, &shadow.dynamic, first);
             }
         }
+
+        // Filter what changed.
+        for (shadow, frame) in prepared(shadows).filter(|(shadow, _)| !shadow.works.is_empty()) {
+            let served = self.cases.get(shadow.case);
+            served.into_iter().for_each(|served| served.service.gpu().prefilter(encoder, &frame.slot));
+        }
         keep_until_done(encoder, frame);
         self.remember(frame);
         Ok(())

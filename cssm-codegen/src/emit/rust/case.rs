@@ -96,6 +96,10 @@ fn filter_value(filter: &Filter) -> TokenStream {
             let (size, kernel) = (variant("PcfSize", &size), kernel_value(kernel));
             quote!(Filter::Pcf { size: #size, kernel: #kernel })
         }
+        Filter::Evsm2 { exponent, blur_texels, bleeding } => {
+            let (exponent, blur_texels, bleeding) = (real(exponent), number(blur_texels), real(bleeding));
+            quote!(Filter::Evsm2 { exponent: #exponent, blur_texels: #blur_texels, bleeding: #bleeding })
+        }
         Filter::Pcss { source, reach_texels } => {
             let (source, reach_texels) = (source_value(source), number(reach_texels));
             quote!(Filter::Pcss { source: #source, reach_texels: #reach_texels })

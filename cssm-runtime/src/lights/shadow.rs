@@ -85,7 +85,15 @@ pub(super) enum Fill {
 
 impl Shadow {
     pub(super) fn new(view: ViewId) -> Self {
-        Self { view, place: None, pixels_times_side: None, held: None, reach: FARTHEST_REACH, failure: None }
+        Self {
+            view,
+            place: None,
+            pixels_times_side: None,
+            held: None,
+            reach: FARTHEST_REACH,
+            failure: None,
+            unseen: None,
+        }
     }
 
     /// Its square.

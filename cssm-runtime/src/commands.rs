@@ -22,6 +22,7 @@ use crate::cull::InstanceRows;
 use crate::culling::CullingWork;
 use crate::error::ServiceError;
 use crate::mesh::{CasterInstance, MeshHandle};
+pub(crate) use facet_draws::widen;
 use facet_draws::{FacetDraws, Gathered};
 use reach::FacetReach;
 
@@ -229,7 +230,7 @@ impl FrameCommands {
     /// # Errors
     /// As [`FrameCommands::append`]; clear the work after one.
     #[expect(clippy::too_many_arguments, reason = "three inputs, and four lists that keep their memory")]
-    pub fn append_culled<'m>(
+    pub(crate) fn append_culled<'m>(
         &mut self,
         plan: &ShadowPlan,
         facets: impl IntoIterator<Item = usize>,

@@ -1,7 +1,7 @@
 //! Culling on the device: facets' half-spaces against instances and clusters in compute, survivors as indirect draws.
 //!
 //! The CPU refuses blocks of casters, as it does when it culls alone ([`crate::CasterScene`]); what is left, the
-//! *candidates*, it writes down once for each plan: [`work::CullingWork`]. On the device one thread tests the own box of each
+//! *candidates*, it writes down once for each plan: `CullingWork`. On the device one thread tests the own box of each
 //! candidate against the half-spaces that cut through its block. Instances that reach a facet whole become rows of one
 //! draw; of those that are cut, [`crate::Cluster`] by cluster is tested, and each run of neighbours that reach is a draw.
 //!
@@ -19,8 +19,7 @@ mod work;
 pub(crate) use device::GpuCulling;
 pub(crate) use frame::CulledFrame;
 pub(crate) use read::drawn;
-pub use work::CullingWork;
-pub(crate) use work::LeftClusters;
+pub(crate) use work::{CullingWork, LeftClusters};
 
 use crate::requirements::Requirements;
 
@@ -46,8 +45,8 @@ const STORAGE_BYTES: u64 = 128 << 20;
 const SHARED_BYTES: u32 = 1024;
 
 /// Features and limits for [`Culling::Gpu`], to be requested with those of [`crate::features_and_limits`]; `None` where the
-/// adapter cannot cull. [`wgpu::Features::MULTI_DRAW_INDIRECT_COUNT`] is asked for where it is offered: without it empty
-/// draws follow those of clusters.
+/// adapter cannot cull. [`wgpu::Features::MULTI_DRAW_INDIRECT_COUNT`] is asked for where it is offered: without it, and on
+/// software devices, empty draws follow those of clusters.
 pub fn culling_requirements(adapter: &wgpu::Adapter) -> Option<Requirements> {
     let offered = adapter.limits();
     let flags = adapter.get_downlevel_capabilities().flags;

@@ -116,7 +116,7 @@ pub use commands::{
 };
 pub use cssm_core;
 pub use cull::InstanceRows;
-pub use culling::{Culling, CullingWork, culling_requirements};
+pub use culling::{Culling, culling_requirements};
 pub use error::ServiceError;
 pub use frame::PreparedFrame;
 pub use lights::{LightService, PreparedLights};

@@ -13,7 +13,7 @@ use cssm_lab::case_file::{pick_case, with_map_size};
 use cssm_lab::scene::Scene;
 use cssm_runtime::{
     CasterInstance, Cluster, Command, Culling, FrameCommands, MeshDescription, MeshHandle, Options,
-    PreparedFrame, ShadowService, cluster_triangles, wgpu,
+    PreparedFrame, ShadowService, cluster_triangles,
 };
 use cssm_tests::gpu::device::culling_device;
 use cssm_tests::gpu::{Geometry, TestDevice, Yard, exclusive, yard};
@@ -218,16 +218,15 @@ fn compare(content: &Content, plan: &ShadowPlan, cpu: &Drawn, gpu: &Drawn) -> (u
 
 #[test]
 fn the_device_draws_what_the_cpu_draws() {
-    let count = wgpu::Features::MULTI_DRAW_INDIRECT_COUNT;
     let scenes = [fused(&Scene::palm()), Scene::pavilion(), Scene::city(), Scene::forest()];
     let mut clusters = 0;
-    for (scene, without) in scenes.iter().zip([count, wgpu::Features::empty()].into_iter().cycle()) {
+    for scene in &scenes {
         let content = Content::new(scene);
         let casters = content.casters();
         for declared in CASES {
             let case = case(declared);
             let table = table(&case);
-            let gpu = culling_device(&table, without);
+            let gpu = culling_device(&table);
             let mut on_cpu = content.load(&gpu, &table, Culling::Cpu);
             let mut on_gpu = content.load(&gpu, &table, Culling::Gpu);
             assert_eq!((on_cpu.culling(), on_gpu.culling()), (Culling::Cpu, Culling::Gpu));
@@ -266,7 +265,7 @@ fn the_device_draws_what_the_cpu_draws() {
 fn nothing_is_lost_far_from_the_origin() {
     let case = case(CASES[0]);
     let table = table(&case);
-    let gpu = culling_device(&table, wgpu::Features::empty());
+    let gpu = culling_device(&table);
     let yard = Yard::new();
     let map = |culling: Culling, view: &View, plan: &ShadowPlan| {
         let options = Options { culling, ..Options::default() };
@@ -294,7 +293,7 @@ fn half_spaces_too_narrow_lose_texels() {
     let (scene, case) = (fused(&Scene::palm()), case(CASES[0]));
     let content = Content::new(&scene);
     let table = table(&case);
-    let gpu = culling_device(&table, wgpu::Features::empty());
+    let gpu = culling_device(&table);
     let mut service = content.load(&gpu, &table, Culling::Gpu);
     let (view, plan) = planned(&case, &scene, 0);
     let mut map = |plan: &ShadowPlan| {
@@ -317,7 +316,7 @@ fn frames_of_one_submission_do_not_share_draws() {
     let (scene, case) = (Scene::city(), case(CASES[1]));
     let content = Content::new(&scene);
     let table = table(&case);
-    let gpu = culling_device(&table, wgpu::Features::empty());
+    let gpu = culling_device(&table);
     let mut service = content.load(&gpu, &table, Culling::Gpu);
     let casters = content.casters();
     let planned = [0, 1].map(|number| planned(&case, &scene, number));
@@ -356,7 +355,7 @@ fn devices_that_cannot_cull_leave_it_to_the_cpu() {
 fn casters_that_shaders_fetch_are_culled_by_the_cpu() {
     let case = case(("SunLog", shipped::SUN_LOG));
     let table = table(&case);
-    let gpu = culling_device(&table, wgpu::Features::empty());
+    let gpu = culling_device(&table);
     let content = Content::new(&Scene::palm());
     let mut on_gpu = content.load(&gpu, &table, Culling::Gpu);
     let (view, plan) = planned(&case, &Scene::palm(), 0);

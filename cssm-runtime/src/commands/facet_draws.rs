@@ -72,7 +72,7 @@ impl Gathered {
 }
 
 /// Gives a list that has grown twice the room that it needed: command lists that breathe stay where they are.
-fn widen<T>(list: &mut Vec<T>, room_before: usize, needed: usize) {
+pub(crate) fn widen<T>(list: &mut Vec<T>, room_before: usize, needed: usize) {
     if list.capacity() > room_before {
         list.reserve((2 * needed).saturating_sub(list.len()));
     }
@@ -118,6 +118,7 @@ impl<'a> FacetDraws<'a> {
     ) -> Result<(), ServiceError> {
         let FrameCommands { commands, rows } = &*self.frame;
         let room = (commands.capacity(), rows.capacity(), self.scratch.gathered.room());
+        let room_of_work = self.work.as_ref().map(|work| work.room());
         statistics.casters += self.eye.casters.instances().len() as u32;
         let plan = self.plan;
         for position in facets {
@@ -134,6 +135,9 @@ impl<'a> FacetDraws<'a> {
         widen(commands, room.0, needed.0);
         widen(rows, room.1, needed.1);
         self.scratch.gathered.widen(room.2);
+        if let (Some(work), Some(room)) = (&mut self.work, room_of_work) {
+            work.widen(room);
+        }
         Ok(())
     }
 

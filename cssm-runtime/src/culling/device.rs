@@ -61,7 +61,7 @@ impl GpuCulling {
         Ok(Some(Self {
             instances,
             clusters,
-            counts: features.contains(wgpu::Features::MULTI_DRAW_INDIRECT_COUNT),
+            counts: counts_draws(device),
             limit: limits
                 .max_storage_buffer_binding_size
                 .min(limits.max_buffer_size)
@@ -172,6 +172,13 @@ impl GpuCulling {
             pass.dispatch_workgroups(workgroups as u32, 1, 1);
         }
     }
+}
+
+/// Whether draws can be counted on the device. Lavapipe says so, but draws with indices that begin elsewhere, and takes the
+/// count for later draws too.
+fn counts_draws(device: &wgpu::Device) -> bool {
+    let is_software = device.adapter_info().device_type == wgpu::DeviceType::Cpu;
+    device.features().contains(wgpu::Features::MULTI_DRAW_INDIRECT_COUNT) && !is_software
 }
 
 impl Pass {

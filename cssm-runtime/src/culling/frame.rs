@@ -126,8 +126,8 @@ impl CulledFrame {
         grow(device, &mut self.cuts, work.cut_bytes(), limit);
     }
 
-    /// Draws rows that culling has found; arguments begin at a word. Counted like clusters where that can be: lavapipe
-    /// takes the count of the last counted draw for later ones that are not.
+    /// Draws rows that culling has found; arguments begin at a word. Counted like clusters where that can be, which spares
+    /// the check of uncounted arguments.
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass, arguments: u32, indexed: bool) {
         let (draws, offset) = (&self.arguments, 4 * u64::from(arguments));
         let at = 4 * u64::from(ONE);

@@ -5,7 +5,7 @@ use std::ops::Range;
 use cssm_core::glam::{DAffine3, DMat3, DVec3};
 
 use super::clusters::{ClusterPool, OuterBox};
-use crate::commands::MeshFacts;
+use crate::commands::{MeshFacts, widen};
 use crate::cull::{HalfSpace, InstanceRows, capture_from_object, eye_from_object};
 use crate::error::ServiceError;
 use crate::mesh::{CasterInstance, MeshHandle};
@@ -21,10 +21,10 @@ const CUT_BYTES: u64 = 16;
 /// Words of indirect arguments without indices, and with them.
 const ARGUMENT_WORDS: [u32; 2] = [4, 5];
 
-/// Candidates, half-spaces and draws of the lists of commands that [`crate::FrameCommands::append`] has left to the
+/// Candidates, half-spaces and draws of the lists of commands that [`crate::FrameCommands::append_culled`] has left to the
 /// device. It keeps its memory, and the clusters of meshes, from one frame to the next.
 #[derive(Debug, Clone, Default)]
-pub struct CullingWork {
+pub(crate) struct CullingWork {
     pub(super) planes: Vec<[f32; 4]>,
     pub(super) candidates: Vec<InstanceRows>,
     pub(super) blocks: Vec<BlockRecord>,
@@ -116,7 +116,7 @@ pub(crate) struct LeftClusters {
 
 impl CullingWork {
     /// Nothing to cull; memory is kept.
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         let Self { planes, candidates, blocks, draws, arguments, clusters, .. } = self;
         planes.clear();
         candidates.clear();
@@ -128,13 +128,29 @@ impl CullingWork {
     }
 
     /// Whether nothing is left to the device.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.draws.is_empty()
     }
 
-    /// Instances that the device tests.
-    pub fn candidates(&self) -> usize {
-        self.candidates.len()
+    /// Elements for which there is room, list by list.
+    pub(crate) fn room(&self) -> [usize; 6] {
+        let Self { planes, candidates, blocks, draws, arguments, written, .. } = self;
+        let lists = [planes.capacity(), candidates.capacity(), blocks.capacity(), draws.capacity()];
+        let [planes, candidates, blocks, draws] = lists;
+        [planes, candidates, blocks, draws, arguments.capacity(), written.capacity()]
+    }
+
+    /// Gives lists that have grown twice the room that they need.
+    pub(crate) fn widen(&mut self, before: [usize; 6]) {
+        let Self { planes, candidates, blocks, draws, arguments, written, .. } = self;
+        let lengths = [planes.len(), candidates.len(), blocks.len(), draws.len(), arguments.len()];
+        widen(planes, before[0], lengths[0]);
+        widen(candidates, before[1], lengths[1]);
+        widen(blocks, before[2], lengths[2]);
+        widen(draws, before[3], lengths[3]);
+        widen(arguments, before[4], lengths[4]);
+        let needed = written.len();
+        widen(written, before[5], needed);
     }
 
     /// Where the lists end.

@@ -76,17 +76,17 @@ pub fn device_for(table: &CaseTable) -> TestDevice {
     TestDevice { adapter, device, queue }
 }
 
-/// A new device that also has what culling on the device takes, except some features.
+/// A new device that also has what culling on the device takes.
 ///
 /// # Panics
 /// When there is no Vulkan adapter, or it cannot cull.
-pub fn culling_device(table: &CaseTable, without: wgpu::Features) -> TestDevice {
+pub fn culling_device(table: &CaseTable) -> TestDevice {
     let TestDevice { adapter, .. } = new_device(wgpu::Features::empty());
     let needed = features_and_limits(&adapter, table).expect("the adapter runs every test case");
     let culling = culling_requirements(&adapter).expect("the adapter culls");
     let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
         label: Some("cssm tests"),
-        required_features: (needed.features | culling.features) - without,
+        required_features: needed.features | culling.features,
         required_limits: needed.limits.or_better_values_from(&culling.limits),
         ..Default::default()
     }))

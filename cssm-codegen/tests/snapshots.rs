@@ -4,7 +4,7 @@
 
 use cssm_codegen::{Generated, dsl, generate};
 use cssm_core::LightCase;
-use cssm_core::table::ShaderKind;
+use cssm_core::table::{GroupContent, ShaderKind};
 
 fn shipped(file: &str) -> Generated {
     let path = format!("{}/../shaders-gen/cases/{file}.cssm", env!("CARGO_MANIFEST_DIR"));
@@ -160,4 +160,34 @@ fn moments() {
 fn receiver_plane_and_no_filter() {
     let variant = declared("bias: receiver_plane, filter: none, resolve: [function]");
     insta::assert_snapshot!("plane_none.function.wgsl", wgsl(&variant, ShaderKind::Function));
+}
+
+#[test]
+fn shadow_bindings_in_a_group_of_the_engine() {
+    let variant = declared(
+        "resolve: [mask, function { group: 0, first_binding: 7 }], filter: hardware_2x2, prefix: low_sun",
+    );
+    let bindings = |kind: ShaderKind| {
+        let groups = variant.table.groups.iter().filter(|group| group.shader == kind);
+        let shadow = groups.filter(|group| group.content == GroupContent::Shadow);
+        shadow.flat_map(|group| group.bindings.iter().map(|binding| (group.group, binding.binding))).collect()
+    };
+    // The mask's group is its own, but shares its layout.
+    let (function, mask): (Vec<_>, Vec<_>) = (bindings(ShaderKind::Function), bindings(ShaderKind::Mask));
+    assert_eq!(function, [(0, 7), (0, 8), (0, 9)]);
+    assert_eq!(mask, [(1, 7), (1, 8), (1, 9)]);
+    let text = wgsl(&variant, ShaderKind::Function);
+    assert!(text.contains("@group(0) @binding(7)\nvar<uniform> low_sun_shadow"), "{text}");
+    assert!(wgsl(&variant, ShaderKind::Mask).contains("@group(1) @binding(9)\nvar low_sun_map_sampler"));
+    assert!(
+        variant.rust.contains("Resolve::Function { group: 0, first_binding: 7 }"),
+        "the door's case is the same"
+    );
+    assert!(variant.json.contains("\"binding\": 9"));
+
+    // Without a choice they begin at 0.
+    let plain = declared("resolve: [function { group: 3 }]");
+    assert!(wgsl(&plain, ShaderKind::Function).contains("@group(3) @binding(0)"));
+    let refused = dsl::parse_file("case", "case Sun { resolve: [function { first_binding: 1000 }] }");
+    assert!(refused.unwrap_err().to_string().contains("990"));
 }

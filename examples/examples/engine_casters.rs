@@ -26,13 +26,13 @@ const SIZE: (u32, u32) = (640, 400);
 /// Where the meadow lies.
 const ORIGIN: DVec3 = DVec3::new(2.3e6, 55.0, -6.1e5);
 /// Where the light's rays travel.
-const TRAVEL: DVec3 = DVec3::new(-0.75, -1.0, 0.1);
+const TRAVEL: DVec3 = DVec3::new(0.15, -1.0, 0.75);
 /// Number of leaves.
 const LEAVES: usize = 40;
 /// Half the side of a leaf's square, as in the shader.
 const LEAF_SIZE: f64 = 0.7;
 /// Height of the stem at rest.
-const STEM_HEIGHT: f64 = 7.0;
+const STEM_HEIGHT: f64 = 8.0;
 
 /// The engine's camera pass; placing vertices comes from `plants.wgsl`, `meadow_visibility` from the generated module.
 const CAMERA_PASS: &str = "
@@ -117,7 +117,7 @@ impl Plants {
         // Leaves stand on a spiral around the stem.
         let leaf = |number: usize| {
             let angle = number as f64 * 2.4;
-            let radius = 2.0 + number as f64 * 0.14;
+            let radius = 3.6 + number as f64 * 0.12;
             let height = 1.2 + (number * 7 % 11) as f64 * 0.32;
             DVec4::new(radius * angle.cos(), height, radius * angle.sin(), angle * 1.7)
         };
@@ -187,7 +187,7 @@ impl Stem {
             let share = f32::from(ring) / f32::from(RINGS);
             for side in 0..SIDES {
                 let angle = f32::from(side) / f32::from(SIDES) * std::f32::consts::TAU;
-                let radius = 0.42 - 0.3 * share;
+                let radius = 0.9 - 0.6 * share;
                 let position = [radius * angle.cos(), share * STEM_HEIGHT as f32, radius * angle.sin()];
                 stem.vertices.push(StemVertex { position, bend: share * share * (3.0 - 2.0 * share) });
             }
@@ -207,7 +207,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut service = ShadowService::new(&gpu.device, &gpu.queue, &meadow::TABLE, &Options::default())?;
 
     // Plan a frame. The service holds no mesh: every caster is the engine's.
-    let eye = ORIGIN + DVec3::new(-4.0, 7.0, 17.0);
+    let eye = ORIGIN + DVec3::new(-3.0, 9.0, 20.0);
     let view =
         View::perspective(eye, ORIGIN + DVec3::new(-2.0, 1.2, 0.0), DVec3::Y, 0.9, 0.1, f64::INFINITY, SIZE)?;
     let light = Light::directional_travelling(TRAVEL)?;
@@ -225,10 +225,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (wrong_unbent, ..) = compare(&view, &bent, &unbent);
     println!("{wrong} of {judged} points of the ground differ from ray casting; {shaded} are in shadow");
     println!("{wrong_unbent} would differ if the capture did not bend the stem");
-    assert!(shaded * 25 > judged, "the plants throw shadows");
+    write_picture("engine_casters", SIZE, &picture)?;
+    assert!(shaded * 40 > judged, "the plants throw shadows");
     assert!(wrong * 500 < judged, "shadows are where rays say");
-    assert!(wrong_unbent > 20 * wrong.max(5), "the capture follows the skinning");
-    write_picture("engine_casters", SIZE, &picture)
+    assert!(wrong_unbent > 10 * wrong.max(10), "the capture follows the skinning");
+    Ok(())
 }
 
 /// Compares visibility of the ground with rays, away from the edges of shadows: points that differ, points in shadow,
@@ -238,7 +239,7 @@ fn compare(view: &View, plants: &Plants, ground: &[u8]) -> (usize, usize, usize)
     const EDGE_METRES: f64 = 0.06;
     let stem = Stem::new();
     let (mut wrong, mut shaded, mut judged) = (0, 0, 0);
-    for (x, y) in (0..SIZE.1).step_by(3).flat_map(|y| (0..SIZE.0).step_by(3).map(move |x| (x, y))) {
+    for (x, y) in (0..SIZE.1).step_by(2).flat_map(|y| (0..SIZE.0).step_by(2).map(move |x| (x, y))) {
         let stored = ground[(y * SIZE.0 + x) as usize];
         if stored < 100 {
             continue;
@@ -410,8 +411,8 @@ impl Engine {
             let centre = ORIGIN - plan.eye_world + centre;
             BoundingBox { min: centre - half, max: centre + half }
         };
-        let stem = bounds(DVec3::splat(STEM_HEIGHT + 1.0), DVec3::Y * 2.0);
-        let leaves = bounds(DVec3::new(10.0, 4.0, 10.0), DVec3::Y * 3.0);
+        let stem = bounds(DVec3::splat(STEM_HEIGHT + 2.0), DVec3::Y * 2.0);
+        let leaves = bounds(DVec3::new(11.0, 4.0, 11.0), DVec3::Y * 3.0);
         gpu.queue.write_buffer(&self.plants, 0, bytemuck::cast_slice(&plants.uniform()));
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         service.capture_with(

@@ -1,26 +1,25 @@
 //! The engine's own material calls the generated visibility function.
 //!
-//! The engine concatenates `FUNCTION_WGSL` with its own shader, binds the service's shadow group at the number that
-//! the case declares, and calls `noon_visibility(position, normal)` with a position relative to the eye and the
-//! geometric normal, both in camera axes (x right, y up, looking along -z). It keeps its groups, vertex formats and
-//! passes.
+//! The engine concatenates `FUNCTION_WGSL` with its own shader and calls `noon_visibility(position, normal)` with a
+//! position relative to the eye and the geometric normal, both in camera axes (x right, y up, looking along -z). It keeps
+//! its groups, vertex formats and passes: the shadow's bindings take the numbers 4 and up in the one bind group that this
+//! engine has.
 //!
 //! Run with `cargo run -p cssm-examples --example material_function`.
 
 use std::error::Error;
 
 use cssm::core::glam::{DAffine3, DMat4, DVec3, DVec4};
-use cssm::core::table::{GroupContent, ShaderKind};
 use cssm::runtime::{CasterInstance, MeshDescription, Options, PreparedFrame, ShadowService, wgpu};
 use cssm::{BoundingBox, Light, SceneBounds, View, plan};
-use cssm_examples::{Gpu, write_picture};
+use cssm_examples::{Gpu, Vertex, add_box, clip_from_camera, write_picture};
 
 cssm::light_case! {
     /// A sun whose shadows the engine's material asks for.
     case Noon {
         technique: camera_space,
         map: { size: 2048 x 2048 },
-        resolve: [function { group: 1 }],
+        resolve: [function { group: 0, first_binding: 4 }],
         prefix: noon,
     }
 }
@@ -57,29 +56,6 @@ fn engine_fragment(surface: EngineVarying) -> @location(0) vec4<f32> {
     return vec4<f32>(sky + sun * vec3<f32>(0.8, 0.75, 0.62), 1.0);
 }
 ";
-
-/// A vertex of this engine.
-#[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C)]
-struct Vertex {
-    position: [f32; 3],
-    normal: [f32; 3],
-}
-
-/// A box between two corners, as triangles with flat normals.
-fn add_box(vertices: &mut Vec<Vertex>, min: [f32; 3], max: [f32; 3]) {
-    for (axis, end) in [(0, min), (0, max), (1, min), (1, max), (2, min), (2, max)] {
-        let (across, along) = ((axis + 1) % 3, (axis + 2) % 3);
-        let mut normal = [0.0; 3];
-        normal[axis] = if end == max { 1.0 } else { -1.0 };
-        for (u, v) in [(0, 0), (1, 0), (1, 1), (0, 0), (1, 1), (0, 1)] {
-            let mut position = end;
-            position[across] = if u == 0 { min[across] } else { max[across] };
-            position[along] = if v == 0 { min[along] } else { max[along] };
-            vertices.push(Vertex { position, normal });
-        }
-    }
-}
 
 fn main() -> Result<(), Box<dyn Error>> {
     // A terrace with columns.
@@ -123,7 +99,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut pictures, mut encoder) = (Vec::new(), gpu.device.create_command_encoder(&Default::default()));
     for frame in [&frame, &unshadowed] {
         service.capture(&mut encoder, frame, None)?;
-        pictures.push(engine.draw(&gpu, &mut encoder, frame, &vertex_buffer, vertices.len() as u32));
+        pictures.push(engine.draw(&gpu, &mut encoder, &service, frame, &vertex_buffer)?);
     }
     gpu.queue.submit([encoder.finish()]);
 
@@ -141,8 +117,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The engine's renderer.
 struct Engine {
     pipeline: wgpu::RenderPipeline,
-    camera: wgpu::BindGroup,
-    shadow_group: u32,
+    camera: wgpu::Buffer,
+    layout: wgpu::BindGroupLayout,
 }
 
 impl Engine {
@@ -150,86 +126,47 @@ impl Engine {
         // Put the generated function in front of the engine's own shader.
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("material"),
-            source: wgpu::ShaderSource::Wgsl([noon::FUNCTION_WGSL, MATERIAL].concat().into()),
+            source: wgpu::ShaderSource::Wgsl(format!("{}{MATERIAL}", noon::FUNCTION_WGSL).into()),
         });
 
-        // Reserve the declared group for the service.
-        let shadow = service.table().group(ShaderKind::Function, GroupContent::Shadow);
-        let shadow_group = shadow.ok_or("the case declares a function")?.group;
-        let camera_layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: None,
-            entries: &[wgpu::BindGroupLayoutEntry {
-                binding: 0,
-                visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
-                ty: wgpu::BindingType::Buffer {
-                    ty: wgpu::BufferBindingType::Uniform,
-                    has_dynamic_offset: false,
-                    min_binding_size: None,
-                },
-                count: None,
-            }],
-        });
-        let mut groups = vec![None; 1 + shadow_group as usize];
-        groups[0] = Some(&camera_layout);
-        groups[shadow_group as usize] = service.shadow_bind_group_layout();
-        let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: None,
-            bind_group_layouts: &groups,
-            immediate_size: 0,
-        });
-        let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("material"),
-            layout: Some(&layout),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("engine_vertex"),
-                compilation_options: Default::default(),
-                buffers: &[Some(wgpu::VertexBufferLayout {
-                    array_stride: size_of::<Vertex>() as u64,
-                    step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3],
-                })],
+        // One layout for the engine's bindings and the shadow's, whose numbers the declaration has chosen.
+        let camera_entry = wgpu::BindGroupLayoutEntry {
+            binding: 0,
+            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Uniform,
+                has_dynamic_offset: false,
+                min_binding_size: None,
             },
-            primitive: Default::default(),
-            depth_stencil: Some(wgpu::DepthStencilState {
-                format: wgpu::TextureFormat::Depth32Float,
-                depth_write_enabled: Some(true),
-                depth_compare: Some(wgpu::CompareFunction::Greater),
-                stencil: Default::default(),
-                bias: Default::default(),
-            }),
-            multisample: Default::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("engine_fragment"),
-                compilation_options: Default::default(),
-                targets: &[Some(wgpu::TextureFormat::Rgba8UnormSrgb.into())],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
-
-        // An infinite reversed-z projection, and the object's place before the camera: composed in f64, rounded once.
-        let (x, y) = (1.0 / view.right, 1.0 / view.top);
-        let clip_from_camera = DMat4::from_cols(
-            DVec4::new(x, 0.0, 0.0, 0.0),
-            DVec4::new(0.0, y, 0.0, 0.0),
-            DVec4::new(0.0, 0.0, 0.0, -1.0),
-            DVec4::new(0.0, 0.0, view.near_metres, 0.0),
+            count: None,
+        };
+        let mut entries = service.shadow_layout_entries(wgpu::ShaderStages::FRAGMENT);
+        entries.push(camera_entry);
+        let layout = gpu
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries });
+        let vertices = wgpu::VertexBufferLayout {
+            array_stride: size_of::<Vertex>() as u64,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3],
+        };
+        let pipeline = gpu.pipeline(
+            &module,
+            ["engine_vertex", "engine_fragment"],
+            &[Some(&layout)],
+            &[Some(vertices)],
+            wgpu::PrimitiveTopology::TriangleList,
+            &[wgpu::TextureFormat::Rgba8UnormSrgb],
         );
+
+        // The object's place before the camera: composed in f64, rounded once.
         let origin = view.camera_from_world * (ORIGIN - view.eye_world);
         let camera_from_object = DMat4::from_mat3_translation(view.camera_from_world, origin);
         let toward_light = (view.camera_from_world * light.truncate()).extend(0.0);
-        let mut camera = clip_from_camera.as_mat4().to_cols_array().to_vec();
+        let mut camera = clip_from_camera(view).as_mat4().to_cols_array().to_vec();
         camera.extend(camera_from_object.as_mat4().to_cols_array());
         camera.extend(toward_light.as_vec4().to_array());
-        let camera = gpu.buffer(&camera, wgpu::BufferUsages::UNIFORM);
-        let camera = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: None,
-            layout: &camera_layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: camera.as_entire_binding() }],
-        });
-        Ok(Self { pipeline, camera, shadow_group })
+        Ok(Self { pipeline, camera: gpu.buffer(&camera, wgpu::BufferUsages::UNIFORM), layout })
     }
 
     /// Records the engine's pass and returns its picture.
@@ -237,41 +174,29 @@ impl Engine {
         &self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
+        service: &ShadowService,
         frame: &PreparedFrame,
         vertices: &wgpu::Buffer,
-        count: u32,
-    ) -> wgpu::Texture {
+    ) -> Result<wgpu::Texture, Box<dyn Error>> {
+        // The engine's camera and this frame's shadow side by side.
+        let mut entries = service.shadow_entries(frame)?;
+        entries.push(wgpu::BindGroupEntry { binding: 0, resource: self.camera.as_entire_binding() });
+        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &self.layout,
+            entries: &entries,
+        });
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let picture =
             gpu.texture(SIZE, wgpu::TextureFormat::Rgba8UnormSrgb, usage | wgpu::TextureUsages::COPY_SRC);
         let depth = gpu.texture(SIZE, wgpu::TextureFormat::Depth32Float, usage);
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("material"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &picture.create_view(&Default::default()),
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color { r: 0.3, g: 0.5, b: 0.8, a: 1.0 }),
-                    store: wgpu::StoreOp::Store,
-                },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &depth.create_view(&Default::default()),
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(0.0),
-                    store: wgpu::StoreOp::Discard,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        });
+        let sky = wgpu::Color { r: 0.3, g: 0.5, b: 0.8, a: 1.0 };
+        let mut pass = gpu.pass(encoder, &[(&picture, sky)], &depth);
         pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &self.camera, &[]);
-        pass.set_bind_group(self.shadow_group, frame.shadow_bind_group(), &[]);
+        pass.set_bind_group(0, &group, &[]);
         pass.set_vertex_buffer(0, vertices.slice(..));
-        pass.draw(0..count, 0..1);
+        pass.draw(0..(vertices.size() / size_of::<Vertex>() as u64) as u32, 0..1);
         drop(pass);
-        picture
+        Ok(picture)
     }
 }

@@ -190,6 +190,31 @@ impl Gpu {
     }
 }
 
+/// A vertex of the engines whose scenes are boxes.
+#[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct Vertex {
+    /// Position in object space.
+    pub position: [f32; 3],
+    /// Unit normal in object space.
+    pub normal: [f32; 3],
+}
+
+/// A box between two corners, as triangles with flat normals.
+pub fn add_box(vertices: &mut Vec<Vertex>, min: [f32; 3], max: [f32; 3]) {
+    for (axis, end) in [(0, min), (0, max), (1, min), (1, max), (2, min), (2, max)] {
+        let (across, along) = ((axis + 1) % 3, (axis + 2) % 3);
+        let mut normal = [0.0; 3];
+        normal[axis] = if end == max { 1.0 } else { -1.0 };
+        for (u, v) in [(0, 0), (1, 0), (1, 1), (0, 0), (1, 1), (0, 1)] {
+            let mut position = end;
+            position[across] = if u == 0 { min[across] } else { max[across] };
+            position[along] = if v == 0 { min[along] } else { max[along] };
+            vertices.push(Vertex { position, normal });
+        }
+    }
+}
+
 /// The infinite reversed-z projection of a view, from camera axes.
 pub fn clip_from_camera(view: &View) -> DMat4 {
     let (width, height) = (view.right - view.left, view.top - view.bottom);

@@ -30,6 +30,7 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
         dominant_plane: case
             .dominant_plane
             .map(|plane| JsonDominantPlane { share: plane.share, thickness_metres: plane.thickness_metres }),
+        fit: case.fit.name(),
         filter: case.filter.name(),
         bias: case.bias.name(),
         casters: case.casters.name(),
@@ -82,6 +83,7 @@ struct JsonCase<'a> {
     stretch: Option<JsonStretch>,
     #[serde(skip_serializing_if = "Option::is_none")]
     dominant_plane: Option<JsonDominantPlane>,
+    fit: &'a str,
     filter: &'a str,
     bias: &'a str,
     casters: &'a str,

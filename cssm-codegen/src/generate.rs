@@ -140,7 +140,7 @@ fn header(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> String {
     let mut text = format!("// {}: {what}\n", case.name);
     let positions = match kind {
         ShaderKind::Mask | ShaderKind::Function => Some(("Positions and normals", axes_summary(table.axes))),
-        ShaderKind::PrefilterRows | ShaderKind::PrefilterColumns => None,
+        ShaderKind::PrefilterRows | ShaderKind::PrefilterColumns | ShaderKind::Fit => None,
         _ => Some(("Positions", CAPTURE_AXES)),
     };
     if let Some((of_what, axes)) = positions {

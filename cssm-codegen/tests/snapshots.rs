@@ -161,3 +161,13 @@ fn receiver_plane_and_no_filter() {
     let variant = declared("bias: receiver_plane, filter: none, resolve: [function]");
     insta::assert_snapshot!("plane_none.function.wgsl", wgsl(&variant, ShaderKind::Function));
 }
+
+#[test]
+fn measured_depth() {
+    let variant = declared("fit: histogram, resolve: [mask]");
+    insta::assert_snapshot!("measured.fit.wgsl", wgsl(&variant, ShaderKind::Fit));
+    insta::assert_snapshot!("measured.json", variant.json);
+    insta::assert_snapshot!("measured.explain", variant.explain);
+    let linear = declared("fit: depth_min_max, resolve: [mask { depth: linear }]");
+    insta::assert_snapshot!("measured_linear.fit.wgsl", wgsl(&linear, ShaderKind::Fit));
+}

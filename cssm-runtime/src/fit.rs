@@ -9,13 +9,14 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
 use cssm_core::View;
-use cssm_core::fit::DepthHistogram;
+use cssm_core::fit::{DepthHistogram, WORDS};
 use cssm_core::table::{
     BindGroup, BindingKind, CaseTable, GroupContent, RecordKind, Reduction, ShaderKind, write_fit_record,
 };
 
 use crate::error::ServiceError;
 use crate::layout::{bind_group, group_layout, record_bytes, required_group, shader_module};
+use crate::requirements::Requirements;
 use crate::scope::checked;
 
 /// Frames that may be on their way at once.
@@ -27,6 +28,48 @@ const PENDING: u8 = 0;
 const MAPPED: u8 = 1;
 /// A mapping that was refused, as by a lost device.
 const FAILED: u8 = 2;
+
+/// Threads of a workgroup, across and down.
+const GROUP_SIDE: u32 = 16;
+/// Shared memory of a workgroup: its own numbers, rounded up.
+const SHARED_BYTES: u32 = 2048;
+/// Largest number of workgroups across or down: four times as many pixels as textures have.
+const WORKGROUPS: u32 = 1024;
+
+/// Features and limits that [`DepthReduction`] needs, to be requested with those of
+/// [`features_and_limits`](crate::features_and_limits); nothing where the adapter cannot measure depth. Plans are then
+/// made without.
+pub fn depth_reduction_requirements(adapter: &wgpu::Adapter) -> Option<Requirements> {
+    let offered = adapter.limits();
+    let flags = adapter.get_downlevel_capabilities().flags;
+    if !flags.contains(wgpu::DownlevelFlags::COMPUTE_SHADERS) || !suffices(&offered) {
+        return None;
+    }
+    let lowest = wgpu::Limits::downlevel_webgl2_defaults().or_worse_values_from(&offered);
+    let limits = wgpu::Limits {
+        max_storage_buffers_per_shader_stage: lowest.max_storage_buffers_per_shader_stage.max(1),
+        max_storage_buffer_binding_size: lowest.max_storage_buffer_binding_size.max(4 * WORDS as u64),
+        max_compute_workgroup_storage_size: SHARED_BYTES,
+        max_compute_invocations_per_workgroup: GROUP_SIDE * GROUP_SIDE,
+        max_compute_workgroup_size_x: GROUP_SIDE,
+        max_compute_workgroup_size_y: GROUP_SIDE,
+        max_compute_workgroup_size_z: 1,
+        max_compute_workgroups_per_dimension: offered.max_compute_workgroups_per_dimension.min(WORKGROUPS),
+        ..lowest
+    };
+    Some(Requirements { features: wgpu::Features::empty(), limits })
+}
+
+/// Whether an adapter or a device has enough to measure depth.
+fn suffices(limits: &wgpu::Limits) -> bool {
+    limits.max_storage_buffers_per_shader_stage > 0
+        && limits.max_storage_buffer_binding_size >= 4 * WORDS as u64
+        && limits.max_compute_workgroup_storage_size >= SHARED_BYTES
+        && limits.max_compute_invocations_per_workgroup >= GROUP_SIDE * GROUP_SIDE
+        && limits.max_compute_workgroup_size_x >= GROUP_SIDE
+        && limits.max_compute_workgroup_size_y >= GROUP_SIDE
+        && limits.max_compute_workgroups_per_dimension > 0
+}
 
 /// The reduction of one view's depth to a [`DepthHistogram`].
 ///
@@ -72,16 +115,19 @@ struct Frame {
 }
 
 impl DepthReduction {
-    /// The reduction of a case; nothing where its table has none.
+    /// The reduction of a case; nothing where its table has none, and on a device without the limits of
+    /// [`depth_reduction_requirements`]: plans are then made without measured depth.
     ///
     /// # Errors
-    /// A device that refuses the pipeline, such as one without compute shaders; a table without its shader.
+    /// A device that refuses the pipeline; a table without its shader.
     pub fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         table: &CaseTable,
     ) -> Result<Option<Self>, ServiceError> {
-        let Some(reduction) = &table.reduction else { return Ok(None) };
+        let Some(reduction) = table.reduction.as_ref().filter(|_| suffices(&device.limits())) else {
+            return Ok(None);
+        };
         let group = required_group(table, ShaderKind::Fit, GroupContent::Fit)?;
         let module = shader_module(device, table, ShaderKind::Fit)?;
         let layout = checked(device, "the layout of measured depth", || {

@@ -119,7 +119,7 @@ pub use cssm_core;
 pub use cull::InstanceRows;
 pub use culling::{Culling, CullingWork, culling_requirements};
 pub use error::ServiceError;
-pub use fit::DepthReduction;
+pub use fit::{DepthReduction, depth_reduction_requirements};
 pub use frame::PreparedFrame;
 pub use lights::{LightService, PreparedLights};
 pub use mesh::{CasterInstance, IndexDescription, MeshDescription, MeshError, MeshHandle};

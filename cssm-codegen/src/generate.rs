@@ -140,7 +140,7 @@ fn header(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> String {
     let mut text = format!("// {}: {what}\n", case.name);
     let positions = match kind {
         ShaderKind::Mask | ShaderKind::Function => Some(("Positions and normals", axes_summary(table.axes))),
-        ShaderKind::PrefilterRows | ShaderKind::PrefilterColumns => None,
+        ShaderKind::PrefilterRows | ShaderKind::PrefilterColumns | ShaderKind::Fit => None,
         _ => Some(("Positions", CAPTURE_AXES)),
     };
     if let Some((of_what, axes)) = positions {
@@ -193,6 +193,7 @@ pub(crate) fn what_it_is(kind: ShaderKind, clipped: bool) -> &'static str {
         (ShaderKind::PrefilterRows, _) => "takes moments of the map's depths and blurs them along rows.",
         (ShaderKind::PrefilterColumns, _) => "blurs moments of the map's depths along columns.",
         (ShaderKind::Mask, _) => "turns the view's depth into a visibility mask.",
+        (ShaderKind::Fit, _) => "measures the engine's depth: how many pixels see each, and where.",
         (ShaderKind::Function, _) => "visibility of a point, for the engine's own materials.",
     }
 }

@@ -114,11 +114,17 @@ pub(crate) fn unused(module: &naga::Module) -> Vec<(&'static str, String)> {
 }
 
 fn find_entry_points(module: &naga::Module, table: &CaseTable, shader: ShaderKind) -> Result<(), JudgeError> {
-    let Some(pass) = table.pass(shader) else {
-        return Ok(());
-    };
-    let mut expected = vec![(naga::ShaderStage::Vertex, pass.vertex.as_ref())];
-    expected.extend(pass.fragment.as_deref().map(|name| (naga::ShaderStage::Fragment, name)));
+    let mut expected = Vec::new();
+    match (table.pass(shader), &table.reduction) {
+        (Some(pass), _) => {
+            expected.push((naga::ShaderStage::Vertex, pass.vertex.as_ref()));
+            expected.extend(pass.fragment.as_deref().map(|name| (naga::ShaderStage::Fragment, name)));
+        }
+        (None, Some(reduction)) if shader == ShaderKind::Fit => {
+            expected.push((naga::ShaderStage::Compute, reduction.entry.as_ref()));
+        }
+        _ => return Ok(()),
+    }
     let found: Vec<_> = module.entry_points.iter().map(|entry| (entry.stage, entry.name.as_str())).collect();
     if found == expected {
         return Ok(());

@@ -156,6 +156,10 @@ library![
     "mask_position",
     "mask_reconstructed",
     "mask_texture",
+    "fit_reversed_z",
+    "fit_linear",
+    "fit_bin",
+    "fit",
 ];
 
 /// The files that a shader of a case is made of, in the order of the library, and the declarations that it is for.
@@ -193,6 +197,7 @@ pub(crate) fn pick(
             (names, &["mask_vertex", "mask_fragment"])
         }
         ShaderKind::Function => (visibility(case, table), &["visibility"]),
+        ShaderKind::Fit => (fit(case), &["fit_measure"]),
     };
     let files = LIBRARY.iter().filter(|file| names.contains(&file.name)).copied().collect();
     (files, roots)
@@ -496,6 +501,15 @@ fn bias(case: &LightCase, table: &CaseTable) -> &'static str {
         (Bias::ReceiverPlane, false) => "bias_receiver_plane",
         (Bias::ReceiverPlane, true) => "bias_receiver_plane_local",
     }
+}
+
+/// Files of the reduction of depth.
+fn fit(case: &LightCase) -> Vec<&'static str> {
+    let linear = case
+        .resolve
+        .iter()
+        .any(|interface| matches!(interface, Resolve::Mask { depth: MaskDepth::Linear, .. }));
+    vec![if linear { "fit_linear" } else { "fit_reversed_z" }, "fit_bin", "fit"]
 }
 
 /// Files of the mask pass beside the visibility function.

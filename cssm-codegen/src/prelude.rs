@@ -63,6 +63,7 @@ pub(crate) fn binding_type(kind: BindingKind) -> &'static str {
         BindingKind::Map | BindingKind::SceneDepth => "texture_depth_2d",
         BindingKind::MeshLayout => "array<vec4<u32>, 2>",
         BindingKind::MeshPositions | BindingKind::MeshIndices | BindingKind::MeshUvs => "array<u32>",
+        BindingKind::Measured => "array<atomic<u32>>",
         BindingKind::SceneLinearDepth
         | BindingKind::SceneNormal
         | BindingKind::CasterMask
@@ -81,6 +82,8 @@ pub(crate) fn binding_summary(table: &CaseTable, kind: BindingKind) -> &'static 
         BindingKind::Uniform { record: RecordKind::Capture, .. } => "The facet that is captured.",
         BindingKind::Uniform { record: RecordKind::CasterMask, .. } => "How the caster's mask is read.",
         BindingKind::Uniform { record: RecordKind::Mask, .. } => "The view.",
+        BindingKind::Uniform { record: RecordKind::Fit, .. } => "The view.",
+        BindingKind::Measured => "What is measured; zero before the first workgroup.",
         BindingKind::Map => "The shadow map.",
         BindingKind::MomentRows => "Mean and mean square of warped depths, blurred along rows.",
         BindingKind::Moments => "Mean and mean square of warped depths, blurred.",
@@ -129,6 +132,7 @@ fn print_binding(table: &CaseTable, group: u32, binding: &Binding, prefix: &Pref
     let space = match binding.kind {
         BindingKind::Uniform { .. } | BindingKind::MeshLayout => "var<uniform>",
         BindingKind::MeshPositions | BindingKind::MeshIndices | BindingKind::MeshUvs => "var<storage, read>",
+        BindingKind::Measured => "var<storage, read_write>",
         _ => "var",
     };
     let name = prefix.strip(&binding.name);

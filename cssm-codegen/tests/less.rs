@@ -113,6 +113,17 @@ fn an_interface_that_is_not_declared_is_not_there() {
 }
 
 #[test]
+fn depth_is_measured_only_where_it_is_declared() {
+    let measured = declared("fit: histogram, resolve: [mask]");
+    assert!(measured.table.reduction.is_some() && measured.table.shader(ShaderKind::Fit).is_some());
+    for body in ["resolve: [mask]", "fit: bounds, resolve: [mask]", "fit: histogram, resolve: [function]"] {
+        let table = declared(body).table;
+        assert!(table.reduction.is_none() && table.record(RecordKind::Fit).is_none(), "{body}");
+        assert!(table.groups.iter().all(|group| group.shader != ShaderKind::Fit), "{body}");
+    }
+}
+
+#[test]
 fn a_depth_in_metres_needs_no_decoding_record() {
     let reversed = declared("resolve: [mask]");
     let linear = declared("resolve: [mask { depth: linear }]");

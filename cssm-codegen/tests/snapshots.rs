@@ -191,3 +191,13 @@ fn shadow_bindings_in_a_group_of_the_engine() {
     let refused = dsl::parse_file("case", "case Sun { resolve: [function { first_binding: 1000 }] }");
     assert!(refused.unwrap_err().to_string().contains("990"));
 }
+
+#[test]
+fn measured_depth() {
+    let variant = declared("fit: histogram, resolve: [mask]");
+    insta::assert_snapshot!("measured.fit.wgsl", wgsl(&variant, ShaderKind::Fit));
+    insta::assert_snapshot!("measured.json", variant.json);
+    insta::assert_snapshot!("measured.explain", variant.explain);
+    let linear = declared("fit: depth_min_max, resolve: [mask { depth: linear }]");
+    insta::assert_snapshot!("measured_linear.fit.wgsl", wgsl(&linear, ShaderKind::Fit));
+}

@@ -48,6 +48,8 @@ pub struct LightCase {
     pub stretch: Stretch,
     /// Facets of their own for receivers near a plane.
     pub dominant_plane: Option<DominantPlane>,
+    /// What facets are fitted to beside the view.
+    pub fit: Fit,
     /// The map.
     pub map: MapSpec,
     /// How the map is filtered.
@@ -112,6 +114,36 @@ pub struct DominantPlane {
     pub share: f64,
     /// Distance from the plane, to either side, within which receivers count as on it.
     pub thickness_metres: f64,
+}
+
+/// What facets are fitted to beside the view; each stage takes what the earlier ones take, as far as a plan is given it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Fit {
+    /// The view and the scene's bounds alone.
+    None,
+    /// Bounding volumes of what is visible this frame.
+    Bounds,
+    /// Also the smallest and the largest visible depth.
+    DepthMinMax,
+    /// Also how many pixels see each depth.
+    Histogram,
+}
+
+impl Fit {
+    /// Name in declarations, tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Bounds => "bounds",
+            Self::DepthMinMax => "depth_min_max",
+            Self::Histogram => "histogram",
+        }
+    }
+
+    /// Whether the engine's depth is measured.
+    pub const fn measures_depth(self) -> bool {
+        matches!(self, Self::DepthMinMax | Self::Histogram)
+    }
 }
 
 /// How far the views of a case reach.

@@ -11,6 +11,7 @@ pub use perspective::perspective_piece;
 pub(crate) use perspective::push_back_metres;
 
 use crate::case::{LightCase, Stretch};
+use crate::fit::Profile;
 use crate::focus::Focus;
 use crate::remap::Curve;
 use crate::schema::{Arguments, Choice};
@@ -73,8 +74,18 @@ pub struct DistanceRange {
     pub unlit_near_metres: Option<f64>,
     /// The eye's height above the ground, where it is known.
     pub eye_height_metres: Option<f64>,
+    /// How often each distance + core is seen, where that is known.
+    pub seen: Option<Profile>,
     /// Whether rows are bent by a remap where the distribution is continuous.
     pub bends: bool,
+}
+
+impl DistanceRange {
+    /// The focus: where a declared share of what is seen lies before, or the declared distance where nothing is known.
+    fn focus_metres(&self, arguments: &Arguments) -> f64 {
+        let declared = Focus::of(arguments).metres(self.eye_height_metres);
+        self.seen.map_or(declared, |seen| seen.quantile(perspective::share(arguments), declared))
+    }
 }
 
 /// A part of a column. Straight ones are affine in 1 / (distance + push-back); bent ones go through a curve of

@@ -36,6 +36,7 @@ pub mod choose;
 mod depth;
 pub mod distribution;
 pub mod facet;
+pub mod fit;
 pub mod focus;
 pub mod footprint;
 pub mod homography;
@@ -55,6 +56,7 @@ pub mod view;
 
 pub use case::LightCase;
 pub use choose::Chooser;
+pub use fit::Seen;
 pub use glam;
 pub use light::Light;
 pub use plan::{BoundingBox, MapRegion, PlanError, PlanRequest, SceneBounds, ShadowPlan, ViewMargin, plan};

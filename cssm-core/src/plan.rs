@@ -23,6 +23,7 @@ pub use self::request::{MapRegion, PlanRequest, ViewMargin};
 use crate::case::LightCase;
 use crate::choose::ConfigurationChoice;
 use crate::facet::{Facet, Selection};
+use crate::fit::Seen;
 use crate::light::{Light, LightError};
 use crate::view::{View, ViewError};
 
@@ -275,4 +276,18 @@ pub fn plan_over(
     volumes_world: &[BoundingBox],
 ) -> Result<ShadowPlan, PlanError> {
     PlanRequest { volumes_world, ..PlanRequest::new(case, view, light, *bounds) }.plan()
+}
+
+/// [`plan()`], knowing of what is seen whatever the case's fit takes.
+///
+/// # Errors
+/// As [`plan()`].
+pub fn plan_seen(
+    case: &LightCase,
+    view: &View,
+    light: &Light,
+    bounds: &SceneBounds,
+    seen: &Seen<'_>,
+) -> Result<ShadowPlan, PlanError> {
+    PlanRequest::new(case, view, light, *bounds).knowing(seen).plan()
 }

@@ -12,7 +12,8 @@ mod write;
 pub use caster::{CasterAttribute, CasterBinding, CasterShader, CasterSpace, CasterTable, caster_rows};
 pub use constant::{Constant, ConstantKind, ConstantValue};
 pub use write::{
-    shear_parts, write_capture_record, write_caster_mask_record, write_mask_record, write_shadow_record,
+    shear_parts, write_capture_record, write_caster_mask_record, write_fit_record, write_mask_record,
+    write_shadow_record,
 };
 
 use std::borrow::Cow;
@@ -70,6 +71,8 @@ pub struct CaseTable {
     pub groups: Cow<'static, [BindGroup]>,
     /// Passes in order of execution.
     pub passes: Cow<'static, [Pass]>,
+    /// The reduction of the engine's depth, if the case is fitted to it and takes it.
+    pub reduction: Option<Reduction>,
     /// Shader modules; empty until code generation has run.
     pub shaders: Cow<'static, [Shader]>,
 }
@@ -100,6 +103,8 @@ pub enum RecordKind {
     CasterMask,
     /// What the mask pass needs of the view.
     Mask,
+    /// What measuring depth needs of the view.
+    Fit,
 }
 
 impl RecordKind {
@@ -111,6 +116,7 @@ impl RecordKind {
             Self::Capture => "Capture",
             Self::CasterMask => "CasterMask",
             Self::Mask => "Mask",
+            Self::Fit => "Fit",
         }
     }
 
@@ -124,6 +130,7 @@ impl RecordKind {
             }
             Self::CasterMask => "What capturing needs of an alpha-tested caster.",
             Self::Mask => "What the mask pass needs of the view.",
+            Self::Fit => "What measuring depth needs of the view.",
         }
     }
 }
@@ -227,6 +234,8 @@ pub enum Meaning {
     RayDown,
     /// 1 / depth = x * stored + y, for reversed-z depth.
     InverseDepth,
+    /// One over the depth of the near plane.
+    PerNear,
 }
 
 impl Meaning {
@@ -273,6 +282,7 @@ impl Meaning {
             }
             Self::RayAcross => "Change of that direction across the whole image.",
             Self::RayDown => "Change of that direction down the whole image.",
+            Self::PerNear => "One over the near plane's depth in metres.",
             Self::InverseDepth => "One over the depth in metres = stored depth * x + y.",
         }
     }
@@ -304,6 +314,8 @@ pub enum GroupContent {
     Prefilter,
     /// The engine's depth (and normals) and the view.
     MaskInput,
+    /// The engine's depth, the view, and the numbers that are measured.
+    Fit,
     /// The plan, the map and its sampler.
     Shadow,
 }
@@ -361,6 +373,8 @@ pub enum BindingKind {
     ComparisonSampler,
     /// `sampler`, nearest, not filtering.
     GatherSampler,
+    /// Measured numbers, `array<atomic<u32>>` in storage.
+    Measured,
 }
 
 /// The shader modules a case can have.
@@ -386,6 +400,8 @@ pub enum ShaderKind {
     Mask,
     /// The function for the engine's materials; no entry point.
     Function,
+    /// Measures the engine's depth, in a compute pass.
+    Fit,
 }
 
 impl ShaderKind {
@@ -402,6 +418,7 @@ impl ShaderKind {
             Self::PrefilterColumns => "prefilter_columns",
             Self::Mask => "mask",
             Self::Function => "function",
+            Self::Fit => "fit",
         }
     }
 }
@@ -419,6 +436,18 @@ pub struct Pass {
     pub reads: Cow<'static, [Resource]>,
     /// What it writes.
     pub writes: Cow<'static, [Resource]>,
+}
+
+/// The compute pass that measures the engine's depth: reads [`Resource::SceneDepth`], writes numbers that begin at zero.
+/// [`crate::fit::DepthHistogram::of_words`] reads them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Reduction {
+    /// Entry point of the shader of kind [`ShaderKind::Fit`].
+    pub entry: Cow<'static, str>,
+    /// Side of the square of pixels that one workgroup measures.
+    pub square_pixels: u32,
+    /// Numbers of 32 bits that it writes.
+    pub words: u32,
 }
 
 /// What passes read and write.

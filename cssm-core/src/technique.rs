@@ -20,6 +20,7 @@ use glam::{DVec2, DVec3, DVec4};
 
 use crate::case::{CaseError, LightCase, LightKind};
 use crate::facet::{Cell, FacetShape, Selection};
+use crate::fit::Sighted;
 use crate::light::LightPosition;
 use crate::plan::{DominantFacet, PlanError};
 use crate::receivers::{Polytope, extremes};
@@ -199,6 +200,8 @@ pub struct Situation<'a> {
     pub receivers: Polytope,
     /// Corners of the receivers' bounding volumes, as far as they are visible; empty where none were given.
     pub seen: Vec<DVec4>,
+    /// What is known of what is seen, as far as the case's fit takes it.
+    pub sighted: Sighted,
 }
 
 impl Situation<'_> {

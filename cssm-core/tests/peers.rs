@@ -4,6 +4,7 @@
 mod support;
 
 use cssm_core::case::LightKind;
+use cssm_core::fit::Sighted;
 use cssm_core::footprint::{beam_utilisation, quantile, volume};
 use cssm_core::glam::{DMat3, DQuat, DVec2, DVec3, DVec4};
 use cssm_core::plan::{BoundingBox, PlanError, plan_over};
@@ -471,6 +472,7 @@ fn a_table_of_focus_lines_replaces_the_search() {
         eye_height_metres: None,
         receivers: Polytope::frustum(&view, FAR),
         seen: Vec::new(),
+        sighted: Sighted::default(),
     };
     let table = FocusTable::build(90, situation);
     let points = points(&view);

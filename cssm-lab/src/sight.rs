@@ -1,8 +1,9 @@
 //! A sight: one view of a scene under one light, traced once, and the judge of every map on it.
 
 use cssm_core::case::Filter;
-use cssm_core::plan::plan_over;
-use cssm_core::{BoundingBox, Light, LightCase, PlanError, SceneBounds, ShadowPlan, View};
+use cssm_core::fit::DepthHistogram;
+use cssm_core::plan::plan_seen;
+use cssm_core::{BoundingBox, Light, LightCase, PlanError, SceneBounds, Seen, ShadowPlan, View};
 
 use crate::error::LabError;
 use crate::progress::Progress;
@@ -23,6 +24,8 @@ pub struct Sight<'a> {
     pub bounds: SceneBounds,
     /// Boxes around blocks of visible pixels, for techniques that fit their map to what is visible.
     pub visible_world: Vec<BoundingBox>,
+    /// Measured depth, told as an engine knows it that reads it back without waiting: as of an earlier frame.
+    pub depth: DepthHistogram,
     /// The truth.
     pub frame: Frame,
     /// True edges finer than pixels, if they were asked for.
@@ -84,7 +87,8 @@ impl<'a> Sight<'a> {
     pub fn of_frame(scene: &'a Scene, view: View, light: Light, frame: Frame) -> Self {
         let bounds = SceneBounds::of(scene.bounds_world());
         let visible_world = visible_world(&view, &frame);
-        Self { scene, view, light, bounds, visible_world, frame, fine: None }
+        let depth = DepthHistogram { latency_frames: 1, ..measured(&view, &frame) };
+        Self { scene, view, light, bounds, visible_world, depth, frame, fine: None }
     }
 
     /// The plan of a case, told everything that is known of the sight.
@@ -92,7 +96,8 @@ impl<'a> Sight<'a> {
     /// # Errors
     /// What planning says.
     pub fn plan(&self, case: &LightCase) -> Result<ShadowPlan, PlanError> {
-        plan_over(case, &self.view, &self.light, &self.bounds, &self.visible_world)
+        let seen = Seen { depth: Some(&self.depth), ..Seen::volumes(&self.visible_world) };
+        plan_seen(case, &self.view, &self.light, &self.bounds, &seen)
     }
 
     /// Judges the visibility that a plan's map gives the pixels.
@@ -108,6 +113,14 @@ impl<'a> Sight<'a> {
         let footprint = assignment.frame_footprint(&self.frame);
         Outcome { visibility, assignment, footprint, score, verdicts }
     }
+}
+
+/// The depths of a frame's pixels.
+pub fn measured(view: &View, frame: &Frame) -> DepthHistogram {
+    let depth = |pixel: &Option<crate::truth::Visible>| {
+        pixel.as_ref().map_or(0.0, |pixel| view.depth_metres(pixel.position) as f32)
+    };
+    DepthHistogram::measure(view, frame.pixels.iter().map(depth))
 }
 
 /// Side of a block of pixels.

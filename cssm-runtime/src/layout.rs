@@ -125,6 +125,11 @@ fn binding_type(table: &CaseTable, kind: BindingKind) -> wgpu::BindingType {
                 min_binding_size: None,
             }
         }
+        BindingKind::Measured => wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Storage { read_only: false },
+            has_dynamic_offset: false,
+            min_binding_size: NonZeroU64::new(4 * cssm_core::fit::WORDS as u64),
+        },
         BindingKind::Map | BindingKind::SceneDepth => texture(wgpu::TextureSampleType::Depth),
         BindingKind::SceneLinearDepth
         | BindingKind::SceneNormal
@@ -151,6 +156,7 @@ impl Label for GroupContent {
             Self::Prefilter => "prefilter",
             Self::MaskInput => "mask input",
             Self::Shadow => "shadow",
+            Self::Fit => "fit",
         }
     }
 }

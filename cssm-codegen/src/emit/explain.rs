@@ -197,6 +197,16 @@ fn passes(table: &CaseTable, out: &mut Out) {
             names(&pass.writes)
         ));
     }
+    if let Some(reduction) = &table.reduction {
+        out.line(format!(
+            "  {:<WIDTH$}{}, one workgroup for {side} x {side} pixels: reads {}; writes {} numbers",
+            ShaderKind::Fit.name(),
+            reduction.entry,
+            Resource::SceneDepth.name(),
+            reduction.words,
+            side = reduction.square_pixels,
+        ));
+    }
 }
 
 fn bindings(table: &CaseTable, out: &mut Out) {

@@ -7,7 +7,7 @@ use cssm_core::case::Stretch;
 use cssm_core::distribution::RemapKind;
 use cssm_core::table::{
     BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantValue, FieldType, GroupContent, Pass,
-    Record, RecordField, Shader,
+    Record, RecordField, Reduction, Shader,
 };
 use serde::Serialize;
 
@@ -30,6 +30,7 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
         dominant_plane: case
             .dominant_plane
             .map(|plane| JsonDominantPlane { share: plane.share, thickness_metres: plane.thickness_metres }),
+        fit: case.fit.name(),
         filter: case.filter.name(),
         bias: case.bias.name(),
         casters: case.casters.name(),
@@ -57,6 +58,7 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
         records: table.records.iter().map(|record| JsonRecord::of(record, table)).collect(),
         groups: table.groups.iter().map(|group| JsonGroup::of(group, table)).collect(),
         passes: table.passes.iter().map(JsonPass::of).collect(),
+        reduction: table.reduction.as_ref().map(JsonReduction::of),
         shaders: table.shaders.iter().map(|shader| JsonShader::of(shader, table)).collect(),
     };
     // Strings and numbers always serialise.
@@ -82,6 +84,7 @@ struct JsonCase<'a> {
     stretch: Option<JsonStretch>,
     #[serde(skip_serializing_if = "Option::is_none")]
     dominant_plane: Option<JsonDominantPlane>,
+    fit: &'a str,
     filter: &'a str,
     bias: &'a str,
     casters: &'a str,
@@ -95,6 +98,9 @@ struct JsonCase<'a> {
     records: Vec<JsonRecord<'a>>,
     groups: Vec<JsonGroup<'a>>,
     passes: Vec<JsonPass<'a>>,
+    /// Absent: depth is not measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reduction: Option<JsonReduction<'a>>,
     shaders: Vec<JsonShader<'a>>,
 }
 
@@ -149,6 +155,19 @@ impl JsonStretch {
             Stretch::Exact { bound_texels } => ("exact", Some(bound_texels)),
         };
         Some(Self { kind, bound_texels })
+    }
+}
+
+#[derive(Serialize)]
+struct JsonReduction<'a> {
+    compute: &'a str,
+    square_pixels: u32,
+    words: u32,
+}
+
+impl<'a> JsonReduction<'a> {
+    fn of(reduction: &'a Reduction) -> Self {
+        Self { compute: &reduction.entry, square_pixels: reduction.square_pixels, words: reduction.words }
     }
 }
 
@@ -261,6 +280,7 @@ impl<'a> JsonGroup<'a> {
             GroupContent::Prefilter => "prefilter",
             GroupContent::MaskInput => "mask_input",
             GroupContent::Shadow => "shadow",
+            GroupContent::Fit => "fit",
         };
         let bindings = group.bindings.iter().map(|binding| JsonBinding::of(binding, table)).collect();
         Self { shader: group.shader.name(), content, group: group.group, bindings }
@@ -291,6 +311,7 @@ impl<'a> JsonBinding<'a> {
             BindingKind::CasterMaskSampler => "caster_mask_sampler",
             BindingKind::ComparisonSampler => "comparison_sampler",
             BindingKind::GatherSampler => "gather_sampler",
+            BindingKind::Measured => "measured",
         };
         Self { binding: binding.binding, name: &binding.name, kind, ty, dynamic_offset: offset }
     }

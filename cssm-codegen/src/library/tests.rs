@@ -5,8 +5,8 @@ use std::process::Command;
 
 use cssm_core::LightCase;
 use cssm_core::case::{
-    Axes, Bias, CaseError, Casters, DominantPlane, Filter, Kernel, LightCaseBuilder, LightKind, MaskDepth,
-    MaskNormal, PcfSize, Resolve, Source, Stretch,
+    Axes, Bias, CaseError, Casters, DominantPlane, Filter, Fit, Kernel, LightCaseBuilder, LightKind,
+    MaskDepth, MaskNormal, PcfSize, Resolve, Source, Stretch,
 };
 use cssm_core::schema::Word;
 use cssm_core::table::{CaseTable, ShaderKind};
@@ -15,7 +15,7 @@ use super::{LIBRARY, caster_entry, pick};
 use crate::compose::Prefix;
 use crate::{generate, judge, prelude, wgsl};
 
-const SHADERS: [ShaderKind; 10] = [
+const SHADERS: [ShaderKind; 11] = [
     ShaderKind::Capture,
     ShaderKind::CaptureClamped,
     ShaderKind::CaptureTested,
@@ -26,6 +26,7 @@ const SHADERS: [ShaderKind; 10] = [
     ShaderKind::PrefilterColumns,
     ShaderKind::Mask,
     ShaderKind::Function,
+    ShaderKind::Fit,
 ];
 
 /// A case and its table.
@@ -105,7 +106,7 @@ fn resolve_cases() -> Vec<LightCase> {
                 let case = || LightCase::builder("Reference").bias(bias).filter(filter).resolve(&interfaces);
                 let bounded = || case().shadow_distance_metres(1000.0);
                 cases.push(case().build());
-                cases.push(case().bands(1, 1e5).build());
+                cases.push(case().bands(1, 1e5).fit(Fit::Histogram).build());
                 cases.push(bounded().technique(Word::plain("standard")).build());
                 cases.push(bounded().technique(Word::plain("parallel_split")).build());
             }

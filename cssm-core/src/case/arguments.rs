@@ -1,7 +1,7 @@
 //! Between a light case and the arguments of its declaration, both ways.
 
 use super::{
-    Axes, Bias, Casters, DepthFormat, DominantPlane, FarKind, LightCase, LightKind, MapSpec, MaskDepth,
+    Axes, Bias, Casters, DepthFormat, DominantPlane, FarKind, Fit, LightCase, LightKind, MapSpec, MaskDepth,
     MaskNormal, Resolve, Stretch,
 };
 use crate::schema::{Arguments, Value, Word};
@@ -31,6 +31,7 @@ impl LightCase {
             ("distribution", self.distribution.clone().map(Value::Word)),
             ("stretch", Some(Value::Word(self.stretch.word()))),
             ("dominant_plane", Some(Value::Word(DominantPlane::word(self.dominant_plane)))),
+            ("fit", Some(Value::Word(Word::plain(self.fit.name())))),
             ("map", Some(Value::Group(map))),
             ("filter", Some(Value::Word(self.filter.word()))),
             ("bias", Some(Value::Word(self.bias.word()))),
@@ -104,6 +105,17 @@ impl DominantPlane {
         let word = word.filter(|word| word.name == "share")?;
         let number = |name: &str| word.arguments.number(name);
         Some(Self { share: number("share")?, thickness_metres: number("thickness")? })
+    }
+}
+
+impl Fit {
+    pub(super) fn of_word(word: Option<&Word>) -> Self {
+        match word.map(|word| word.name) {
+            Some("bounds") => Self::Bounds,
+            Some("depth_min_max") => Self::DepthMinMax,
+            Some("histogram") => Self::Histogram,
+            _ => Self::None,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The Rust door to a light case.
 
 use super::{
-    Axes, Bias, CaseError, Casters, DepthFormat, DominantPlane, FarKind, Filter, LightCase, LightKind,
+    Axes, Bias, CaseError, Casters, DepthFormat, DominantPlane, FarKind, Filter, Fit, LightCase, LightKind,
     Resolve, Stretch,
 };
 use crate::schema::{Arguments, Value, Word};
@@ -88,6 +88,11 @@ impl LightCaseBuilder {
     /// A facet of its own for receivers near a plane.
     pub fn dominant_plane(self, plane: DominantPlane) -> Self {
         self.set("dominant_plane", Value::Word(DominantPlane::word(Some(plane))))
+    }
+
+    /// What facets are fitted to beside the view.
+    pub fn fit(self, fit: Fit) -> Self {
+        self.set("fit", Value::Word(Word::plain(fit.name())))
     }
 
     /// Size of the whole map in texels.

@@ -4,8 +4,8 @@ use super::arguments::DEFAULT_BOUND;
 use super::filter::misplaced_extent;
 use super::names::{default_prefix, is_camel_case, is_prefix, upper_camel};
 use super::{
-    Axes, Bias, CaseError, Casters, DominantPlane, FIELDS, FarKind, Filter, LightCase, LightKind, MapSpec,
-    MaskNormal, Resolve, Stretch,
+    Axes, Bias, CaseError, Casters, DominantPlane, FIELDS, FarKind, Filter, Fit, LightCase, LightKind,
+    MapSpec, MaskNormal, Resolve, Stretch,
 };
 use crate::distribution::{self, RemapKind};
 use crate::schema::{self, Arguments, Choice, Field, Kind, Value, Word};
@@ -146,6 +146,7 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
         distribution,
         stretch,
         dominant_plane: DominantPlane::of_word(arguments.word("dominant_plane")),
+        fit: Fit::of_word(arguments.word("fit")),
         map: MapSpec::of_group(arguments.group("map")),
         filter: Filter::of_word(arguments.word("filter"), light),
         bias: Bias::of_word(arguments.word("bias")),

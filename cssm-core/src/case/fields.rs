@@ -146,6 +146,20 @@ pub const FIELDS: &[Field] = &[
         default: Default::Value("none"),
     },
     Field {
+        name: "fit",
+        summary: "what facets are fitted to beside the view, as far as a plan is given it",
+        kind: Kind::Choice(&[
+            Choice::plain("none", "the view and the scene's bounds alone"),
+            Choice::plain(
+                "bounds",
+                "also bounding volumes of what is visible this frame, and of the casters",
+            ),
+            Choice::plain("depth_min_max", "also the smallest and the largest visible depth"),
+            Choice::plain("histogram", "also how many pixels see each depth"),
+        ]),
+        default: Default::Value("none"),
+    },
+    Field {
         name: "map",
         summary: "size, folding, format and gutters of the map",
         kind: Kind::Group(&[

@@ -58,17 +58,22 @@ fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
     let farthest = range.farthest_metres;
     let end = if farthest.is_finite() { farthest + core } else { horizon(arguments, start) };
     let ratio = libm::pow(end / start, 1.0 / f64::from(count));
+    let end_of = |index: u32| match range.seen {
+        Some(seen) => seen.mixed(f64::from(index) / f64::from(count), start, end),
+        None => start * libm::pow(ratio, f64::from(index)),
+    };
     let limit = |index: u32| match index {
         0 => range.nearest_metres,
         index if index == count => farthest,
-        index => start * libm::pow(ratio, f64::from(index)) - core,
+        index => end_of(index) - core,
     };
 
     // Only the nearest band sees the difference between distance and depth, unless distances fall below zero.
     let below_zero = range.nearest_metres < -BELOW_ZERO * core;
     let piece = |index: u32| {
         let from_core = if index == 0 || below_zero { core } else { 0.0 };
-        let far_end = start * libm::pow(ratio, f64::from(index + 1));
+        let far_end = end_of(index + 1);
+        let ratio = if range.seen.is_some() { far_end / end_of(index) } else { ratio };
         Piece {
             nearest_metres: limit(index),
             farthest_metres: limit(index + 1),

@@ -5,7 +5,7 @@
 //! 4: stretching): what lies across keeps the view's own width, and no texel is wasted.
 
 use super::{DistanceRange, DistributionSpec, Piece, RemapKind, folds};
-use crate::focus::{self, Focus};
+use crate::focus;
 use crate::remap::Curve;
 use crate::schema::{Arguments, Choice, Default, Field, Kind, Unit};
 
@@ -32,7 +32,7 @@ pub(super) const SHARE: Field = Field {
 const FARTHEST_PUSH_BACK: f64 = 10.0;
 
 fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
-    let focus = Focus::of(arguments).metres(range.eye_height_metres);
+    let focus = range.focus_metres(arguments);
     let whole = perspective_piece(focus, share(arguments), range);
     let count = folds::count(arguments);
     // Folded pieces lie on either side of the focus: each is as fine as it can be.

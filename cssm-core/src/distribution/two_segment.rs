@@ -7,7 +7,7 @@ use super::bands::HORIZON;
 use super::logarithmic::{folded, logarithmic_piece};
 use super::perspective::{SHARE, share};
 use super::{DistanceRange, DistributionSpec, Piece, RemapKind, folds};
-use crate::focus::{self, Focus};
+use crate::focus;
 use crate::schema::{Arguments, Choice};
 
 pub(super) const SPEC: DistributionSpec = DistributionSpec {
@@ -32,7 +32,7 @@ fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
     let count = folds::count(arguments).max(2);
     let core = range.core_metres;
     let (start, farthest) = (range.nearest_metres + core, range.farthest_metres + core);
-    let focus = Focus::of(arguments).metres(range.eye_height_metres);
+    let focus = range.focus_metres(arguments);
     let value = |distance: f64| whole.curve.value(1.0 / distance);
     let parts = [value(focus) - value(start), value(farthest) - value(focus)];
     if parts.iter().any(|part| part.is_nan() || *part < SMALLEST_PART) {
@@ -67,6 +67,7 @@ mod tests {
                 core_metres: 0.1,
                 unlit_near_metres: None,
                 eye_height_metres: None,
+                seen: None,
                 bends: true,
             };
             let pieces = split(&arguments, &range);

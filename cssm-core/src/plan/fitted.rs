@@ -41,7 +41,9 @@ pub(super) fn fit<'a>(
 ) -> Result<Fitted<'a>, PlanError> {
     let mut windows = window::fit(draft, situation, samples);
     let tiles = tiles(&mut windows, situation)?;
-    let p95_pixels = predicted(&windows, &tiles);
+    let weighted = windows.list.iter().any(|window| window.weight != 1.0);
+    let p95_pixels =
+        if weighted { predicted_by_pixels(&windows, &tiles) } else { predicted(&windows, &tiles) };
     Ok(Fitted { draft, windows, tiles, p95_pixels })
 }
 
@@ -124,6 +126,26 @@ fn predicted(windows: &Windows<'_>, tiles: &[Tile]) -> f64 {
     }
     let (_, square, _) = squares.select_nth_unstable_by(rank, f64::total_cmp);
     square.sqrt()
+}
+
+/// The same where windows count by their pixels.
+fn predicted_by_pixels(windows: &Windows<'_>, tiles: &[Tile]) -> f64 {
+    let mut weighted = vec![(f64::INFINITY, 1.0); windows.outside];
+    for (window, tile) in windows.list.iter().zip(tiles) {
+        let inner = |side: u32| f64::from(side.saturating_sub(2 * tile.gutter));
+        let (width, height) = (inner(tile.width), inner(tile.height));
+        let samples = &windows.samples(window)[..window.seen];
+        weighted
+            .extend(samples.iter().map(|sample| (sample.gram.major_square(width, height), window.weight)));
+    }
+    weighted.sort_by(|one, two| one.0.total_cmp(&two.0));
+    let limit = PREDICTED * weighted.iter().map(|(_, weight)| weight).sum::<f64>();
+    let mut passed = 0.0;
+    let ranked = weighted.into_iter().find_map(|(square, weight)| {
+        passed += weight;
+        (passed > limit).then_some(square)
+    });
+    ranked.map_or(0.0, f64::sqrt)
 }
 
 /// The part of the map that a situation's facets share.

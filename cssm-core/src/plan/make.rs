@@ -10,6 +10,7 @@ use crate::case::{LightCase, LightKind};
 use crate::choose::{ChoiceReason, ConfigurationChoice, Kept, Prediction, choose, made_for};
 use crate::distribution;
 use crate::facet::{Facet, Selection};
+use crate::fit::{self, Sighted};
 use crate::light::LightPosition;
 use crate::schema::Word;
 use crate::technique::{Draft, Situation};
@@ -32,6 +33,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     let shear = shear(view, light_camera, spec.follows_camera);
     let nothing = receivers.is_empty();
     let map_size_texels = (region.width, region.height);
+    let sighted = Sighted::of(case.fit, view, light_camera, &receivers, &request.seen())?;
     let situation = Situation {
         case,
         view,
@@ -41,6 +43,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
         eye_height_metres,
         receivers,
         seen,
+        sighted,
     };
     let plan = |made: Made| {
         let row_to_world = |row: DVec4| (view.camera_from_world.transpose() * row.truncate()).extend(row.w);
@@ -99,7 +102,8 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     let dominant = plane.and_then(|plane| dominant::facet(&situation, plane));
     let draft = |word: &Word| (spec.configuration(word.name).draft)(&situation, word);
     let drafted = any(case.configurations.iter().map(draft))?.into_iter().flatten();
-    let drafts: Vec<Draft> = drafted.map(|draft| draft.with_dominant(dominant.as_ref())).collect();
+    let whole = |draft: Draft| fit::narrowed(draft.with_dominant(dominant.as_ref()), &situation);
+    let drafts: Vec<Draft> = drafted.map(whole).collect();
     let judged_by = window::judged_by(&drafts);
     let samples = window::samples(&situation, judged_by);
     let mut fitted = any(drafts.iter().map(|draft| fitted::fit(draft, &situation, &samples)))?;
@@ -150,7 +154,11 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
         _ => &situation.receivers.planes,
     };
     let not_lit = planes.iter().enumerate().filter(|(index, _)| !lit.contains(index));
-    let covered = not_lit.map(|(_, plane)| *plane).collect();
+    let covered = match situation.sighted.is_cut() {
+        // What is seen in other frames is not known: the plan covers no view but its own.
+        true => vec![-DVec4::W],
+        false => not_lit.map(|(_, plane)| *plane).collect(),
+    };
     let choice = ConfigurationChoice {
         position,
         configuration: draft.configuration,

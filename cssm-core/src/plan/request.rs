@@ -3,6 +3,7 @@
 use super::{BoundingBox, PlanError, SceneBounds, ShadowPlan, make};
 use crate::case::LightCase;
 use crate::choose::Kept;
+use crate::fit::{DepthHistogram, Seen};
 use crate::light::Light;
 use crate::view::View;
 
@@ -21,6 +22,12 @@ pub struct PlanRequest<'a> {
     /// known. If there are any, everything visible that may be in shadow must lie in one of them. Techniques that fit
     /// their map to what is seen use them.
     pub volumes_world: &'a [BoundingBox],
+    /// World-space box that holds every caster, for cases that are fitted; `None`: casters may be anywhere.
+    pub casters_world: Option<BoundingBox>,
+    /// Depth in metres before which nothing is visible in this frame, for cases that are fitted.
+    pub near_hint_metres: Option<f64>,
+    /// Measured depth, for cases that are fitted to it.
+    pub depth: Option<&'a DepthHistogram>,
     /// The rectangle of the map that the plan may use; `None`: the whole map.
     pub region: Option<MapRegion>,
     /// How far the view may move and turn before the plan no longer covers it.
@@ -57,7 +64,31 @@ impl ViewMargin {
 impl<'a> PlanRequest<'a> {
     /// A request over the whole map for exactly this view, without volumes.
     pub const fn new(case: &'a LightCase, view: &'a View, light: &'a Light, bounds: SceneBounds) -> Self {
-        Self { case, view, light, bounds, volumes_world: &[], region: None, margin: ViewMargin::NONE }
+        Self {
+            case,
+            view,
+            light,
+            bounds,
+            volumes_world: &[],
+            casters_world: None,
+            near_hint_metres: None,
+            depth: None,
+            region: None,
+            margin: ViewMargin::NONE,
+        }
+    }
+
+    /// The same request with all that is known of what is seen.
+    #[must_use]
+    pub const fn knowing(self, seen: &Seen<'a>) -> Self {
+        let Seen { volumes_world, casters_world, near_hint_metres, depth } = *seen;
+        Self { volumes_world, casters_world, near_hint_metres, depth, ..self }
+    }
+
+    /// What is known of what is seen.
+    pub(super) const fn seen(&self) -> Seen<'a> {
+        let Self { volumes_world, casters_world, near_hint_metres, depth, .. } = *self;
+        Seen { volumes_world, casters_world, near_hint_metres, depth }
     }
 
     /// Makes the plan. Total: a plan or a typed reason. Where the case declares several configurations, the one with

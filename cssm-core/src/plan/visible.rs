@@ -28,11 +28,12 @@ pub(super) struct Visible {
     pub(super) seen: Vec<DVec4>,
 }
 
-/// The view of a request with its far plane no farther than its shadow distance.
+/// The view of a request with its far plane no farther than its shadow distance, and its near plane where nothing visible
+/// lies before it.
 pub(super) fn shadowed(request: &PlanRequest<'_>) -> View {
-    let view = request.view;
+    let view = request.seen().hinted(request.case.fit, request.view);
     let far = request.case.shadow_distance_metres.unwrap_or(f64::INFINITY).min(view.far_metres);
-    View { far_metres: far, ..*view }
+    View { far_metres: far, ..view }
 }
 
 impl Visible {

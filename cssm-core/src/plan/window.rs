@@ -50,6 +50,10 @@ pub(super) struct Window<'a> {
     samples: Range<usize>,
     /// How many of its samples, the first ones, are samples of the view.
     pub(super) seen: usize,
+    /// Footprint that its texels are to have, in those of the other windows.
+    coarser: f64,
+    /// Pixels that each sample of the view stands for, in those of the other windows.
+    pub(super) weight: f64,
 }
 
 /// The windows of a draft.
@@ -79,6 +83,26 @@ impl Windows<'_> {
         }
     }
 
+    /// Gives more texels to windows with more pixels.
+    fn share(&mut self, draft: &Draft, situation: &Situation<'_>, counts: &[usize]) {
+        let texels = |sample: &Sample| (sample.gram.xx * sample.gram.yy).sqrt();
+        let mean = |window: &Window<'_>| {
+            let samples = self.samples(window);
+            samples.iter().map(texels).sum::<f64>() / samples.len().max(1) as f64
+        };
+        let own = |window: &Window<'_>| {
+            let mut facets = draft.facets.iter().zip(counts);
+            facets.find(|(facet, _)| std::ptr::eq(*facet, window.draft)).map_or(0, |(_, count)| *count)
+        };
+        let wanted: Vec<f64> = self.list.iter().map(mean).collect();
+        let points: Vec<usize> = self.list.iter().map(own).collect();
+        let coarser = situation.sighted.coarser(&wanted, &points);
+        for ((window, coarser), points) in self.list.iter_mut().zip(coarser).zip(points) {
+            window.coarser = coarser;
+            window.weight = points as f64 / window.seen.max(1) as f64;
+        }
+    }
+
     /// What the tile of some windows must span, who share it. `grams` is scratch.
     pub(super) fn spread(&self, windows: &[usize], grams: &mut Vec<Gram>) -> Spread {
         grams.clear();
@@ -89,8 +113,11 @@ impl Windows<'_> {
             let samples = self.samples(window).iter();
             match request(window.draft) {
                 TileRequest::Coarser { times, focus_metres } => {
-                    let grown = |depth: f64| times * (depth / focus_metres).max(1.0);
+                    let grown = |depth: f64| window.coarser * times * (depth / focus_metres).max(1.0);
                     grams.extend(samples.map(|sample| sample.gram.shortened(grown(-sample.point.z))));
+                }
+                _ if window.coarser != 1.0 => {
+                    grams.extend(samples.map(|sample| sample.gram.shortened(window.coarser)));
                 }
                 _ => grams.extend(samples.map(|sample| sample.gram)),
             }
@@ -123,7 +150,8 @@ pub(super) fn judged_by(drafts: &[Draft]) -> usize {
 
 /// Visible points of a situation, camera space.
 pub(super) fn samples(situation: &Situation<'_>, count: usize) -> Vec<DVec3> {
-    samples::receivers(situation.view, &situation.receivers, count)
+    let everywhere = || samples::receivers(situation.view, &situation.receivers, count);
+    situation.sighted.samples().map_or_else(everywhere, <[DVec3]>::to_vec)
 }
 
 /// Whether the facet's tile has a size that samples decide; a square is alone in the map.
@@ -190,9 +218,14 @@ pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>, samples: &[DV
             inner::points(facet, FEWEST_SAMPLES - own.len(), &mut add);
         }
         let seen = own.len().min(all.len() - start);
-        list.push(Window { draft: facet, rows, outline, samples: start..all.len(), seen });
+        let samples = start..all.len();
+        list.push(Window { draft: facet, rows, outline, samples, seen, coarser: 1.0, weight: 1.0 });
     }
-    Windows { list, samples: all, outside }
+    let mut windows = Windows { list, samples: all, outside };
+    if let Some(counts) = situation.sighted.counts(draft) {
+        windows.share(draft, situation, &counts);
+    }
+    windows
 }
 
 /// The planes of a facet's receivers that all receivers do not have.

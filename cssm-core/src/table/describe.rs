@@ -4,11 +4,12 @@ use std::borrow::Cow;
 
 use super::{
     BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantKind, ConstantValue, FieldType,
-    GroupContent, Meaning, Pass, Record, RecordField, RecordKind, Resource, ShaderKind,
+    GroupContent, Meaning, Pass, Record, RecordField, RecordKind, Reduction, Resource, ShaderKind,
 };
 use crate::case::{Bias, Casters, Filter, Kernel, LightCase, MaskDepth, MaskNormal, Resolve, Stretch};
 use crate::distribution::RemapKind;
 use crate::facet::FacetShape;
+use crate::fit;
 
 impl CaseTable {
     /// Records, bindings and passes of a case; shaders are left empty.
@@ -57,6 +58,21 @@ impl CaseTable {
             }
         }
 
+        // Depth is measured where the case is fitted to it and says how it is stored.
+        let depth = case.resolve.iter().find_map(|interface| match interface {
+            Resolve::Mask { depth, .. } => Some(*depth),
+            Resolve::Function { .. } => None,
+        });
+        let reduction = depth.filter(|_| case.fit.measures_depth()).map(|depth| {
+            records.push(fit_record(&names, depth));
+            groups.push(fit_group(&names, depth));
+            Reduction {
+                entry: names.value("fit_measure"),
+                square_pixels: fit::SQUARE_PIXELS,
+                words: fit::WORDS as u32,
+            }
+        });
+
         Self {
             case: case.name.clone().into(),
             prefix: case.prefix.clone().into(),
@@ -81,6 +97,7 @@ impl CaseTable {
             records: records.into(),
             groups: groups.into(),
             passes: passes.into(),
+            reduction,
             shaders: Cow::Borrowed(&[]),
         }
     }
@@ -369,6 +386,32 @@ fn mask_record(names: &Names, depth: MaskDepth) -> Record {
     layout.record(RecordKind::Mask, names.ty(RecordKind::Mask.name()))
 }
 
+fn fit_record(names: &Names, depth: MaskDepth) -> Record {
+    let mut layout = Layout::new();
+    if depth == MaskDepth::ReversedZ {
+        layout.push("inverse_depth", Meaning::InverseDepth, FieldType::Vec2);
+    }
+    layout.push("per_near", Meaning::PerNear, FieldType::F32);
+    layout.record(RecordKind::Fit, names.ty(RecordKind::Fit.name()))
+}
+
+fn fit_group(names: &Names, depth: MaskDepth) -> BindGroup {
+    let view = BindingKind::Uniform { record: RecordKind::Fit, dynamic_offset: false };
+    let bindings = vec![
+        Binding { binding: 0, name: names.value("fit"), kind: view },
+        Binding { binding: 1, name: names.value("scene_depth"), kind: scene_depth(depth) },
+        Binding { binding: 2, name: names.value("measured"), kind: BindingKind::Measured },
+    ];
+    BindGroup { shader: ShaderKind::Fit, content: GroupContent::Fit, group: 0, bindings: bindings.into() }
+}
+
+const fn scene_depth(depth: MaskDepth) -> BindingKind {
+    match depth {
+        MaskDepth::ReversedZ => BindingKind::SceneDepth,
+        MaskDepth::Linear => BindingKind::SceneLinearDepth,
+    }
+}
+
 fn capture_group(names: &Names, shader: ShaderKind) -> BindGroup {
     let kind = BindingKind::Uniform { record: RecordKind::Capture, dynamic_offset: true };
     let bindings = vec![Binding { binding: 0, name: names.value("capture"), kind }];
@@ -406,13 +449,9 @@ fn caster_mask_group(names: &Names, shader: ShaderKind, group: u32) -> BindGroup
 
 fn mask_group(names: &Names, depth: MaskDepth, normal: MaskNormal) -> BindGroup {
     let view = BindingKind::Uniform { record: RecordKind::Mask, dynamic_offset: false };
-    let depth = match depth {
-        MaskDepth::ReversedZ => BindingKind::SceneDepth,
-        MaskDepth::Linear => BindingKind::SceneLinearDepth,
-    };
     let mut bindings = vec![
         Binding { binding: 0, name: names.value("mask"), kind: view },
-        Binding { binding: 1, name: names.value("scene_depth"), kind: depth },
+        Binding { binding: 1, name: names.value("scene_depth"), kind: scene_depth(depth) },
     ];
     if normal == MaskNormal::Texture {
         let name = names.value("scene_normal");

@@ -113,15 +113,33 @@ pub fn write_mask_record(table: &CaseTable, view: &View) -> Vec<u8> {
             Meaning::RayCorner => direction(corner),
             Meaning::RayAcross => direction(across),
             Meaning::RayDown => direction(down),
-            Meaning::InverseDepth => {
-                let far_inverse = 1.0 / view.far_metres;
-                put(&mut bytes, offset, (1.0 / view.near_metres - far_inverse) as f32);
-                put(&mut bytes, offset + 4, far_inverse as f32);
-            }
+            Meaning::InverseDepth => put_inverse_depth(&mut bytes, offset, view),
             _ => {}
         }
     }
     bytes
+}
+
+/// Bytes of the record of kind [`RecordKind::Fit`] for a view.
+pub fn write_fit_record(table: &CaseTable, view: &View) -> Vec<u8> {
+    let Some(record) = table.record(RecordKind::Fit) else { return Vec::new() };
+    let mut bytes = vec![0; record.size_bytes as usize];
+    for field in record.fields.iter() {
+        let offset = field.offset_bytes as usize;
+        match field.meaning {
+            Meaning::InverseDepth => put_inverse_depth(&mut bytes, offset, view),
+            Meaning::PerNear => put(&mut bytes, offset, (1.0 / view.near_metres) as f32),
+            _ => {}
+        }
+    }
+    bytes
+}
+
+/// From stored reversed-z depth to one over depth.
+fn put_inverse_depth(bytes: &mut [u8], offset: usize, view: &View) {
+    let far_inverse = 1.0 / view.far_metres;
+    put(bytes, offset, (1.0 / view.near_metres - far_inverse) as f32);
+    put(bytes, offset + 4, far_inverse as f32);
 }
 
 /// From the world axes of plans to the axes of a record.

@@ -5,6 +5,7 @@ use glam::DVec4;
 
 use crate::distribution::{self, DistanceRange, Piece};
 use crate::facet::Cell;
+use crate::fit;
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::remap::Curve;
 use crate::technique::{FacetDraft, Region, Situation, TileRequest};
@@ -99,10 +100,14 @@ pub(super) fn range(column: &Column, situation: &Situation<'_>) -> DistanceRange
     let (depth_near, _) = situation.receivers.range(DEPTH_ROW);
     let view_near = situation.view.near_metres;
     let unlit = situation.light.w > 0.0 && depth_near > view_near;
+    let (core, rows) = ((depth_near - nearest).max(0.0), [column.distance, column.unit]);
+    let (nearest, farthest) =
+        fit::narrowed_range(situation, &column.sides, rows).unwrap_or((nearest, farthest));
     DistanceRange {
         nearest_metres: nearest,
         farthest_metres: farthest,
-        core_metres: (depth_near - nearest).max(0.0),
+        seen: situation.profile(&column.sides, rows, core),
+        core_metres: core,
         unlit_near_metres: unlit.then_some(view_near),
         eye_height_metres: situation.eye_height_metres,
         bends: false,

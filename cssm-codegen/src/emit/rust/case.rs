@@ -25,6 +25,7 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
         distribution,
         stretch,
         dominant_plane,
+        fit,
         map,
         filter,
         bias,
@@ -42,6 +43,7 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
     let distribution = option(distribution.as_ref().map(word));
     let stretch = stretch_value(*stretch);
     let dominant_plane = option(dominant_plane.map(dominant_value));
+    let fit = variant("Fit", fit);
     let map = map_spec(map);
     let filter = filter_value(filter);
     let bias = bias_value(bias);
@@ -65,6 +67,7 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
                 distribution: #distribution,
                 stretch: #stretch,
                 dominant_plane: #dominant_plane,
+                fit: #fit,
                 map: #map,
                 filter: #filter,
                 bias: #bias,

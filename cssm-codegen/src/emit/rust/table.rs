@@ -1,7 +1,7 @@
 //! The table as statics that borrow from each other, so that `TABLE` costs nothing at run time.
 
 use cssm_core::case::Stretch;
-use cssm_core::table::{BindGroup, BindingKind, CaseTable, ConstantValue, Pass, Record, Resource};
+use cssm_core::table::{BindGroup, BindingKind, CaseTable, ConstantValue, Pass, Record, Reduction, Resource};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -33,6 +33,7 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
         records: _,
         groups: _,
         passes: _,
+        reduction,
         shaders: _,
     } = table;
     let docs = doc("Everything that the CPU and the GPU agree on.");
@@ -49,6 +50,7 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
     let records = records(table);
     let groups = groups(table);
     let passes = passes(table);
+    let reduction = reduction_value(reduction.as_ref());
     let shaders = shaders(table);
     quote! {
         #docs
@@ -85,6 +87,7 @@ pub(super) fn statics(table: &CaseTable, crate_path: &syn::Path) -> TokenStream 
                 records: Cow::Borrowed(RECORDS),
                 groups: Cow::Borrowed(GROUPS),
                 passes: Cow::Borrowed(PASSES),
+                reduction: #reduction,
                 shaders: Cow::Borrowed(SHADERS),
             };
             #constants
@@ -105,6 +108,14 @@ pub(super) fn stretch_value(stretch: Stretch) -> TokenStream {
             let bound_texels = Literal::f64_unsuffixed(bound_texels);
             quote!(Stretch::Exact { bound_texels: #bound_texels })
         }
+    }
+}
+
+fn reduction_value(reduction: Option<&Reduction>) -> TokenStream {
+    let Some(Reduction { entry, square_pixels, words }) = reduction else { return quote!(None) };
+    let (square_pixels, words) = (number(*square_pixels), number(*words));
+    quote! {
+        Some(Reduction { entry: Cow::Borrowed(#entry), square_pixels: #square_pixels, words: #words })
     }
 }
 

@@ -13,7 +13,7 @@ use std::time::Instant;
 
 use cssm_core::{LightCase, SceneBounds, View};
 use cssm_runtime::CasterInstance;
-use cssm_runtime::lights::{CaseHandle, LightDescription, LightFrame, LightHandle, LightOptions, ViewId};
+use cssm_runtime::lights::{CaseHandle, LightDescription, LightFrame, LightHandle, LightOptions};
 use serde::Serialize;
 use shaders_gen::shipped;
 
@@ -266,12 +266,8 @@ impl<'a> Host<'a> {
             .collect();
         let start = Instant::now();
         self.runner.prepare(&LightFrame {
-            view_id: ViewId::default(),
-            view,
             bounds: SceneBounds::of(self.town.scene.bounds_world()),
-            volumes_world: &[],
-            static_casters: &still,
-            dynamic_casters: &moving,
+            ..LightFrame::new(view, &still, &moving)
         })?;
         let milliseconds = start.elapsed().as_secs_f64() * 1e3;
         self.runner.draw()?;

@@ -6,11 +6,11 @@
 use std::error::Error;
 
 use cssm::core::glam::{DAffine3, DVec3};
-use cssm::runtime::lights::{CaseHandle, LightDescription, LightFrame, LightOptions, ViewId};
+use cssm::runtime::lights::{CaseHandle, LightDescription, LightFrame, LightOptions};
 use cssm::runtime::{
     CasterInstance, LightService, MaskInputs, MeshDescription, MeshHandle, PreparedLights, wgpu,
 };
-use cssm::{BoundingBox, Light, SceneBounds, View};
+use cssm::{BoundingBox, Light, View};
 use cssm_examples::{Gpu, write_picture};
 
 cssm::light_case! {
@@ -163,17 +163,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
         // Prepare, capture, resolve: one encoder of the engine's own.
         let dynamic_casters = [moving.instance(mesh)];
-        service.prepare(
-            &LightFrame {
-                view_id: ViewId::default(),
-                view: &view,
-                bounds: SceneBounds::default(),
-                volumes_world: &[],
-                static_casters: &static_casters,
-                dynamic_casters: &dynamic_casters,
-            },
-            &mut prepared,
-        )?;
+        service.prepare(&LightFrame::new(&view, &static_casters, &dynamic_casters), &mut prepared)?;
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         service.capture(&mut encoder, &prepared, None)?;
         let depth = depth_texture.create_view(&Default::default());

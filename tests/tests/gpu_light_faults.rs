@@ -3,7 +3,7 @@
 use cssm_codegen::generate;
 use cssm_core::glam::{DAffine3, DVec3};
 use cssm_core::table::{CaseTable, ShaderKind};
-use cssm_core::{Light, LightCase, SceneBounds, View};
+use cssm_core::{Light, LightCase, View};
 use cssm_lab::case_file::{pick_case, with_map_size};
 use cssm_runtime::lights::{CaseHandle, LightDescription, LightFrame, LightOptions, LightState, ViewId};
 use cssm_runtime::{CasterInstance, LightService, MeshHandle, PreparedLights, ServiceError, read_back, wgpu};
@@ -49,14 +49,7 @@ fn box_mesh(gpu: &TestDevice, service: &mut LightService) -> MeshHandle {
 
 /// A frame of static casters alone.
 fn frame<'a>(view: &'a View, casters: &'a [CasterInstance]) -> LightFrame<'a> {
-    LightFrame {
-        view_id: ViewId::default(),
-        view,
-        bounds: SceneBounds::default(),
-        volumes_world: &[],
-        static_casters: casters,
-        dynamic_casters: &[],
-    }
+    LightFrame::new(view, casters, &[])
 }
 
 fn draw(gpu: &TestDevice, service: &mut LightService, prepared: &PreparedLights) -> Vec<u8> {

@@ -1,5 +1,6 @@
 //! What an engine tells of its lights, once and every frame.
 
+use cssm_core::fit::DepthHistogram;
 use cssm_core::{BoundingBox, Light, SceneBounds, View};
 
 use crate::error::ServiceError;
@@ -97,12 +98,42 @@ pub struct LightFrame<'a> {
     pub view: &'a View,
     /// What is known of the scene.
     pub bounds: SceneBounds,
-    /// Boxes in world space that together hold every visible receiver; empty: not known.
+    /// Boxes in world space that together hold every visible receiver; empty: not known. Cases that declare a fit need no
+    /// texels elsewhere.
     pub volumes_world: &'a [BoundingBox],
+    /// Depth in metres before which nothing is visible in this frame, for cases that declare a fit.
+    pub near_hint_metres: Option<f64>,
+    /// Depth as [`crate::DepthReduction`] measured it, in this frame or an earlier one, for cases whose fit measures depth.
+    pub depth: Option<&'a DepthHistogram>,
     /// Casters that rarely change.
     pub static_casters: &'a [CasterInstance],
     /// Casters that may change every frame.
     pub dynamic_casters: &'a [CasterInstance],
+}
+
+impl<'a> LightFrame<'a> {
+    /// A frame of the engine's only view, of which nothing else is known.
+    pub fn new(
+        view: &'a View,
+        static_casters: &'a [CasterInstance],
+        dynamic_casters: &'a [CasterInstance],
+    ) -> Self {
+        Self {
+            view_id: ViewId::default(),
+            view,
+            bounds: SceneBounds::default(),
+            volumes_world: &[],
+            near_hint_metres: None,
+            depth: None,
+            static_casters,
+            dynamic_casters,
+        }
+    }
+
+    /// Whether anything is known that may differ in every frame.
+    pub(super) fn is_measured(&self) -> bool {
+        !self.volumes_world.is_empty() || self.near_hint_metres.is_some() || self.depth.is_some()
+    }
 }
 
 /// Choices of the engine for all lights.

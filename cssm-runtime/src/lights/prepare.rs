@@ -101,7 +101,7 @@ impl LightService {
             let Some(index) = shadow_of(&mut served.shadows, frame) else { continue };
             let (shadow, description) = (&mut served.shadows[index], &served.description);
             let asked = (*frame.view, description.light);
-            let is_known = frame.volumes_world.is_empty() && shadow.unseen == Some(asked);
+            let is_known = !frame.is_measured() && shadow.unseen == Some(asked);
             if shadow.place.is_some() || is_known {
                 continue;
             }
@@ -286,6 +286,8 @@ fn request<'a>(
 ) -> PlanRequest<'a> {
     PlanRequest {
         volumes_world: frame.volumes_world,
+        near_hint_metres: frame.near_hint_metres,
+        depth: frame.depth,
         region,
         ..PlanRequest::new(case, frame.view, &description.light, frame.bounds)
     }

@@ -129,7 +129,10 @@ impl Held {
     /// Whether it covers what a request sees, whatever the request's light.
     pub(super) fn covers(&mut self, request: &PlanRequest) -> bool {
         let asked = (*request.view, request.bounds);
-        if request.volumes_world.is_empty() && self.covered == Some(asked) {
+        let is_measured = !request.volumes_world.is_empty()
+            || request.near_hint_metres.is_some()
+            || request.depth.is_some();
+        if !is_measured && self.covered == Some(asked) {
             return true;
         }
         let covers = self.plan.covers(&PlanRequest { light: &self.light, ..*request });

@@ -72,6 +72,12 @@ impl LightService {
             let served = self.cases.get(shadow.case);
             served.into_iter().for_each(|served| served.service.gpu().prefilter(encoder, &frame.slot));
         }
+        // Filter anew what was drawn anew.
+        for (shadow, frame) in prepared(shadows).filter(|(shadow, _)| !shadow.works.is_empty()) {
+            if let Some(served) = self.cases.get(shadow.case) {
+                served.service.gpu().prefilter(encoder, &frame.slot);
+            }
+        }
         keep_until_done(encoder, frame);
         self.remember(frame);
         Ok(())

@@ -64,7 +64,8 @@ fn texture(device: &wgpu::Device, format: wgpu::TextureFormat) -> wgpu::Texture 
 
 fn upload(queue: &wgpu::Queue, texture: &wgpu::Texture, texels: &[f32]) {
     let bytes: Vec<u8> = texels.iter().flat_map(|texel| texel.to_le_bytes()).collect();
-    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * SIZE.0), rows_per_image: None };
+    let layout =
+        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * SIZE.0), rows_per_image: None };
     queue.write_texture(texture.as_image_copy(), &bytes, layout, texture.size());
 }
 
@@ -128,7 +129,10 @@ fn reversed_depth_differs_by_rounding_alone() {
             let image = std::iter::repeat_n(metres as f32, (SIZE.0 * SIZE.1) as usize);
             let expected = DepthHistogram::measure(&view, image);
             assert_eq!(found.bins, expected.bins, "{metres} {far}");
-            assert!((found.nearest_metres / metres - 1.0).abs() < 1e-3 && found.nearest_metres == found.farthest_metres);
+            assert!(
+                (found.nearest_metres / metres - 1.0).abs() < 1e-3
+                    && found.nearest_metres == found.farthest_metres
+            );
         }
     }
 }
@@ -174,7 +178,9 @@ fn what_is_not_declared_or_not_possible_measures_nothing() {
     let gpu = device();
     for fit in [Fit::None, Fit::Bounds] {
         let table = table(MaskDepth::Linear, fit);
-        assert!(table.reduction.is_none() && !table.shaders.iter().any(|shader| shader.wgsl.contains("@compute")));
+        assert!(
+            table.reduction.is_none() && !table.shaders.iter().any(|shader| shader.wgsl.contains("@compute"))
+        );
         assert!(DepthReduction::new(&gpu.device, &gpu.queue, &table).unwrap().is_none());
     }
     let least = new_device(wgpu::Features::empty());

@@ -5,8 +5,8 @@ use std::process::Command;
 
 use cssm_core::LightCase;
 use cssm_core::case::{
-    Axes, Bias, CaseError, Casters, DominantPlane, Filter, Fit, Kernel, LightCaseBuilder, LightKind, MaskDepth,
-    MaskNormal, PcfSize, Resolve, Source, Stretch,
+    Axes, Bias, CaseError, Casters, DominantPlane, Filter, Fit, Kernel, LightCaseBuilder, LightKind,
+    MaskDepth, MaskNormal, PcfSize, Resolve, Source, Stretch,
 };
 use cssm_core::schema::Word;
 use cssm_core::table::{CaseTable, ShaderKind};

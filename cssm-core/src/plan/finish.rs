@@ -63,8 +63,8 @@ pub(super) fn finish(
     let samples = windows.samples(window);
     let texels = TexelsPerW::measure(&rows, inner_texels, samples, situation.view);
     let extension = PLANE_EXTENSION_TEXELS.max(situation.case.filter.radius_texels() + 1);
-    let margin = f64::from(extension) * texels.major
-        + bias_metres_per_w(situation.case, &texels, &rows, samples);
+    let margin =
+        f64::from(extension) * texels.major + bias_metres_per_w(situation.case, &texels, &rows, samples);
     let receivers = &window.draft.receivers;
     let width = texels.major * f64::from(tile.width.max(tile.height));
     let farthest = FARTHEST_PIXELS * situation.view.pixels_per_tangent() * width;

@@ -135,7 +135,8 @@ fn predicted_by_pixels(windows: &Windows<'_>, tiles: &[Tile]) -> f64 {
         let inner = |side: u32| f64::from(side.saturating_sub(2 * tile.gutter));
         let (width, height) = (inner(tile.width), inner(tile.height));
         let samples = &windows.samples(window)[..window.seen];
-        weighted.extend(samples.iter().map(|sample| (sample.gram.major_square(width, height), window.weight)));
+        weighted
+            .extend(samples.iter().map(|sample| (sample.gram.major_square(width, height), window.weight)));
     }
     weighted.sort_by(|one, two| one.0.total_cmp(&two.0));
     let limit = PREDICTED * weighted.iter().map(|(_, weight)| weight).sum::<f64>();

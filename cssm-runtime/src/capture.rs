@@ -100,6 +100,7 @@ impl CapturePipelines {
                 pass.set_vertex_buffer(INSTANCE_SLOT, rows);
             }
         };
+        let mut mesh_here = None;
         for command in &commands.commands {
             match command {
                 Command::Facet { facet, tile } => {
@@ -113,7 +114,8 @@ impl CapturePipelines {
                     }
                 }
                 Command::Mesh(handle) => {
-                    if let Some(mesh) = meshes(*handle) {
+                    mesh_here = meshes(*handle);
+                    if let Some(mesh) = mesh_here {
                         mesh.bind(pass, POSITION_SLOT);
                         if let Some(mask) = mesh.mask() {
                             mask.bind(pass, UV_SLOT, self.mask_group());
@@ -129,14 +131,16 @@ impl CapturePipelines {
                     pass.draw(*first..first + count, instances.clone());
                 }
                 Command::DrawCulled { arguments, indexed } => {
-                    if let Some(culled) = culled {
+                    if let (Some(culled), Some(mesh)) = (culled, mesh_here) {
                         bind_rows(pass, BoundRows::Culled);
+                        mesh.bind_all_indices(pass);
                         culled.draw(pass, *arguments, *indexed);
                     }
                 }
                 Command::DrawCulledClusters { arguments, count, most, indexed } => {
-                    if let Some(culled) = culled {
+                    if let (Some(culled), Some(mesh)) = (culled, mesh_here) {
                         bind_rows(pass, BoundRows::Culled);
+                        mesh.bind_all_indices(pass);
                         culled.draw_clusters(pass, *arguments, *count, *most, *indexed);
                     }
                 }

@@ -89,6 +89,9 @@ pub struct MeshFacts<'m> {
     pub corners: u32,
     /// Whether they are indices.
     pub indexed: bool,
+    /// Number of the mesh's first index in its buffer. Draws that are left to the device count from the buffer's start:
+    /// lavapipe takes no notice of where bound indices begin when it draws indirectly.
+    pub first_index: u32,
     /// Box around its positions in object space.
     pub bounds_object: BoundingBox,
     /// Ranges that facets accept or refuse one by one, one after another over all corners; empty: the whole mesh is one.

@@ -117,6 +117,19 @@ impl Mesh {
         }
     }
 
+    /// Binds the indices from the start of their buffer, for draws of [`MeshFacts::first_index`].
+    pub(crate) fn bind_all_indices(&self, pass: &mut wgpu::RenderPass) {
+        if let Some((buffer, range, format)) = &self.indices {
+            pass.set_index_buffer(buffer.slice(..range.end), *format);
+        }
+    }
+
+    /// Number of the first index in its buffer.
+    pub(crate) fn first_index(&self) -> u32 {
+        let first = |(_, range, format): &BoundIndices| range.start / format.byte_size() as u64;
+        self.indices.as_ref().map_or(0, |indices| first(indices) as u32)
+    }
+
     /// The mesh's alpha mask.
     pub(crate) fn mask(&self) -> Option<&BoundMask> {
         self.mask.as_ref()
@@ -153,6 +166,7 @@ impl Mesh {
             pipeline: self.pipeline,
             corners: self.corners,
             indexed: self.indices.is_some() && self.stretched.is_none(),
+            first_index: self.first_index(),
             bounds_object: self.bounds_object,
             clusters: &self.clusters,
             drawing: self.stretched.as_ref().map_or(Drawing::Plain, |stretched| stretched.drawing),

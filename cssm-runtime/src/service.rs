@@ -229,7 +229,9 @@ impl ShadowService {
             None => Ok(frame.commands.clone()),
             Some(culled) => {
                 let Gpu { device, queue, .. } = &self.gpu;
-                self.gpu.alive(culling::drawn(device, queue, culled, &frame.commands))
+                let first_index = |mesh| self.mesh(mesh).map_or(0, Mesh::first_index);
+                let drawn = culling::drawn(device, queue, culled, &frame.commands, first_index);
+                self.gpu.alive(drawn)
             }
         }
     }

@@ -72,6 +72,7 @@ fn facts(mesh: MeshHandle, clusters: &[Cluster]) -> Option<MeshFacts<'_>> {
         pipeline: PipelineHandle(u32::from(in_parts)),
         corners: 12_000,
         indexed: mesh != MeshHandle::new(2, 0),
+        first_index: 0,
         bounds_object: BoundingBox { min: DVec3::new(-4.0, -0.5, -0.5), max: DVec3::new(4.0, 0.5, 0.5) },
         clusters: if in_parts { clusters } else { &[] },
         drawing: if mesh == MeshHandle::new(2, 0) { fans } else { Drawing::Plain },

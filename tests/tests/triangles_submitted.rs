@@ -109,6 +109,7 @@ fn facets_draw_little_that_does_not_touch_them() {
                 pipeline: PipelineHandle(0),
                 corners: clustered[number].indices.len() as u32,
                 indexed: true,
+                first_index: 0,
                 bounds_object: box_of(&scene, number),
                 clusters: &clustered[number].clusters,
                 drawing: Drawing::Plain,

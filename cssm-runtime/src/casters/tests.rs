@@ -13,6 +13,7 @@ fn facts(mesh: MeshHandle) -> Option<MeshFacts<'static>> {
         pipeline: PipelineHandle(1 - mesh.index.min(1)),
         corners: 3,
         indexed: false,
+        first_index: 0,
         bounds_object: BoundingBox { min: -half, max: half },
         clusters: &[],
         drawing: Drawing::Plain,

@@ -26,6 +26,7 @@ fn facts(mesh: MeshHandle) -> Option<MeshFacts<'static>> {
         pipeline: PipelineHandle(pipeline),
         corners,
         indexed,
+        first_index: 0,
         bounds_object,
         clusters: &[],
         drawing: Drawing::Plain,

@@ -3,7 +3,7 @@
 use cssm_core::BoundingBox;
 use cssm_core::glam::DVec3;
 
-use crate::clusters::Cluster;
+use crate::commands::MeshFacts;
 use crate::mesh::MeshHandle;
 
 /// A box around a box of f64.
@@ -65,7 +65,8 @@ impl ClusterPool {
     }
 
     /// Where the clusters of a mesh begin; they are appended when it is asked for first.
-    pub(super) fn first(&mut self, mesh: MeshHandle, clusters: &[Cluster]) -> u32 {
+    pub(super) fn first(&mut self, mesh: MeshHandle, facts: &MeshFacts) -> u32 {
+        let (clusters, base) = (facts.clusters, if facts.indexed { facts.first_index } else { 0 });
         let index = mesh.index as usize;
         if self.meshes.len() <= index {
             self.meshes.resize(index + 1, None);
@@ -78,8 +79,8 @@ impl ClusterPool {
         let first = self.records.len() as u32;
         self.records.extend(clusters.iter().map(|cluster| {
             let OuterBox { centre, half } = OuterBox::new(&cluster.bounds_object);
-            let end = cluster.first.saturating_add(cluster.count);
-            ClusterRecord { centre, first: cluster.first, half, end }
+            let first = base.saturating_add(cluster.first);
+            ClusterRecord { centre, first, half, end: first.saturating_add(cluster.count) }
         }));
         self.meshes[index] = Some((mesh, first, clusters.len() as u32));
         first

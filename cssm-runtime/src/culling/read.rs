@@ -6,6 +6,7 @@ use super::frame::CulledFrame;
 use crate::commands::{Command, FrameCommands};
 use crate::cull::InstanceRows;
 use crate::error::ServiceError;
+use crate::mesh::MeshHandle;
 use crate::read_back::buffer_bytes;
 
 /// Commands with every draw that was left to the device replaced by what it drew; rows of culling follow the others.
@@ -14,6 +15,7 @@ pub(crate) fn drawn(
     queue: &wgpu::Queue,
     frame: &CulledFrame,
     commands: &FrameCommands,
+    first_index: impl Fn(MeshHandle) -> u32,
 ) -> Result<FrameCommands, ServiceError> {
     let arguments = words(&buffer_bytes(device, queue, &frame.arguments)?);
     let of_clusters = words(&buffer_bytes(device, queue, &frame.cluster_arguments)?);
@@ -24,16 +26,23 @@ pub(crate) fn drawn(
         let number = |at: usize| f32::from_bits(row[at]);
         InstanceRows(std::array::from_fn(|line| std::array::from_fn(|column| number(4 * line + column))))
     }));
+    let mut base = 0;
     for command in &commands.commands {
         match *command {
+            Command::Mesh(mesh) => {
+                base = first_index(mesh);
+                drawn.commands.push(command.clone());
+            }
             Command::DrawCulled { arguments: at, indexed } => {
-                drawn.commands.extend(draw(&arguments, at as usize, indexed, first_row));
+                drawn.commands.extend(draw(&arguments, at as usize, indexed, base, first_row));
             }
             Command::DrawCulledClusters { arguments: at, count, most, indexed } => {
                 let count = arguments.get(count as usize).map_or(0, |count| *count.min(&most));
                 let words = if indexed { 5 } else { 4 };
                 let draws = (0..count as usize).map(|number| at as usize + words * number);
-                drawn.commands.extend(draws.filter_map(|at| draw(&of_clusters, at, indexed, first_row)));
+                drawn
+                    .commands
+                    .extend(draws.filter_map(|at| draw(&of_clusters, at, indexed, base, first_row)));
             }
             _ => drawn.commands.push(command.clone()),
         }
@@ -42,9 +51,10 @@ pub(crate) fn drawn(
 }
 
 /// The draw of indirect arguments; `None` if it draws nothing.
-fn draw(words: &[u32], at: usize, indexed: bool, first_row: u32) -> Option<Command> {
+fn draw(words: &[u32], at: usize, indexed: bool, base: u32, first_row: u32) -> Option<Command> {
     let words = words.get(at..at + if indexed { 5 } else { 4 })?;
-    let (count, copies, first, row) = (words[0], words[1], words[2], words.last()? + first_row);
+    let (count, copies, row) = (words[0], words[1], words.last()? + first_row);
+    let first = if indexed { words[2].saturating_sub(base) } else { words[2] };
     let instances: Range<u32> = row..row + copies;
     (copies > 0).then_some(Command::Draw { first, count, indexed, instances })
 }

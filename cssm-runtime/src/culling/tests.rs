@@ -62,20 +62,30 @@ fn clusters_of_meshes_that_are_no_more_are_forgotten() {
         |first| Cluster { first, count: 3, bounds_object: BoundingBox { min: DVec3::ZERO, max: DVec3::ONE } };
     let clusters: Vec<_> = (0..10).map(|number| cluster(3 * number)).collect();
     let mesh = |index, generation| MeshHandle { index, generation };
+    let facts = |clusters| MeshFacts {
+        pipeline: PipelineHandle(0),
+        corners: 30,
+        indexed: true,
+        first_index: 100,
+        bounds_object: BoundingBox { min: DVec3::ZERO, max: DVec3::ONE },
+        clusters,
+        drawing: Drawing::Plain,
+    };
+    let (clusters, fewer) = (&facts(&clusters), &facts(&clusters[..4]));
     let mut pool = ClusterPool::default();
-    assert_eq!(pool.first(mesh(1, 0), &clusters), 0);
-    assert_eq!(pool.first(mesh(0, 0), &clusters[..4]), 10);
-    assert_eq!(pool.first(mesh(1, 0), &clusters), 0, "known");
-    assert_eq!((pool.records[11].first, pool.records[11].end), (3, 6));
+    assert_eq!(pool.first(mesh(1, 0), clusters), 0);
+    assert_eq!(pool.first(mesh(0, 0), fewer), 10);
+    assert_eq!(pool.first(mesh(1, 0), clusters), 0, "known");
+    assert_eq!((pool.records[11].first, pool.records[11].end), (103, 106));
 
     // Another mesh in the same place, until half of the records are dead.
-    assert_eq!(pool.first(mesh(1, 1), &clusters), 14);
+    assert_eq!(pool.first(mesh(1, 1), clusters), 14);
     pool.tidy();
     assert_eq!((pool.records.len(), pool.generation), (24, 0));
-    assert_eq!(pool.first(mesh(1, 2), &clusters), 24);
+    assert_eq!(pool.first(mesh(1, 2), clusters), 24);
     pool.tidy();
     assert_eq!((pool.records.len(), pool.generation), (0, 1));
-    assert_eq!(pool.first(mesh(1, 2), &clusters), 0);
+    assert_eq!(pool.first(mesh(1, 2), clusters), 0);
 }
 
 /// The test of the shaders in f32, with a margin; whether the box is refused, and whether it is inside.
@@ -161,6 +171,7 @@ fn work() -> (CullingWork, [LeftDraw; 2]) {
         pipeline: PipelineHandle(0),
         corners: 9,
         indexed,
+        first_index: 0,
         bounds_object: clusters[0].bounds_object,
         clusters: &clusters,
         drawing: Drawing::Plain,
@@ -230,6 +241,7 @@ fn work_is_written_without_allocating() {
         pipeline: PipelineHandle(0),
         corners: 36,
         indexed: true,
+        first_index: 0,
         bounds_object: BoundingBox { min: -DVec3::ONE, max: DVec3::ONE },
         clusters: &[],
         drawing: Drawing::Plain,

@@ -276,12 +276,12 @@ impl CullingWork {
         let arguments = self.arguments.len() as u32;
         let first_row = rows_start as u32;
         self.arguments.extend(match facts.indexed {
-            true => [facts.corners, 0, 0, 0, first_row, 0, 0],
+            true => [facts.corners, 0, facts.first_index, 0, first_row, 0, 0],
             false => [facts.corners, 0, 0, first_row, 0, 0, 0],
         });
         let counters = arguments + DRAW_WORDS - 2;
         let OuterBox { centre, half } = OuterBox::new(&facts.bounds_object);
-        let first_cluster = if is_in_parts { self.clusters.first(mesh, facts.clusters) } else { 0 };
+        let first_cluster = if is_in_parts { self.clusters.first(mesh, facts) } else { 0 };
         self.draws.push(DrawRecord {
             centre,
             first_cluster,

@@ -25,6 +25,7 @@ fn facts_of(clusters: &[Cluster]) -> MeshFacts<'_> {
         pipeline: PipelineHandle(0),
         corners: last.first + last.count,
         indexed: true,
+        first_index: 0,
         bounds_object: BoundingBox { min, max },
         clusters,
         drawing: Drawing::Plain,

@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         expected.sort_unstable();
         assert_eq!(module.bindings, expected, "{}", shader.kind.name());
         let names: Vec<_> = [Some(&pass.vertex), pass.fragment.as_ref()].into_iter().flatten().collect();
-        assert!(names.iter().all(|name| module.entry_points.iter().any(|found| found == **name)));
+        assert!(names.iter().all(|name| module.entry_points.iter().any(|found| *found == ***name)));
         println!(
             "{}: {} words, entry points {}",
             shader.kind.name(),
@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let module = Module::read(&shader.spirv)?;
         let bound = casters.bindings.iter().map(|binding| (binding.group, binding.binding));
         assert!(bound.into_iter().all(|binding| module.bindings.contains(&binding)));
-        assert!(module.entry_points.iter().any(|name| *name == shader.vertex));
+        assert!(module.entry_points.iter().any(|name| *name == *shader.vertex));
     }
     for attribute in casters.attributes.iter() {
         println!(

@@ -1,4 +1,4 @@
-// Generated from light case `FourPlane`, 2935699219093124. Do not edit.
+// Generated from light case `FourPlane`, 3eaadbb6452cd12b. Do not edit.
 
 /// The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 /// the light to ten metres. For light in, behind or just outside the view.
@@ -32,6 +32,7 @@ pub mod four_plane {
             distribution: None,
             stretch: Stretch::None,
             dominant_plane: None,
+            fit: Fit::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -204,7 +205,7 @@ pub mod four_plane {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("FourPlane"),
             prefix: Cow::Borrowed("four_plane"),
-            fingerprint: 0x2935699219093124,
+            fingerprint: 0x3eaadbb6452cd12b,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -225,6 +226,7 @@ pub mod four_plane {
             records: Cow::Borrowed(RECORDS),
             groups: Cow::Borrowed(GROUPS),
             passes: Cow::Borrowed(PASSES),
+            reduction: None,
             shaders: Cow::Borrowed(SHADERS),
         };
         const CONSTANTS: &[Constant] = &[
@@ -591,7 +593,7 @@ pub mod four_plane {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 2935699219093124. Do not edit.
+// Generated from light case `FourPlane`, 3eaadbb6452cd12b. Do not edit.
 
 enable clip_distances;
 
@@ -675,7 +677,7 @@ fn four_plane_capture_vertex(vertex: FourPlaneCasterVertex) -> FourPlaneClippedC
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 2935699219093124. Do not edit.
+// Generated from light case `FourPlane`, 3eaadbb6452cd12b. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct FourPlaneCapture {
@@ -785,7 +787,7 @@ fn four_plane_capture_clamped_fragment(caster: FourPlaneClampedCaster) -> @built
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 2935699219093124. Do not edit.
+// Generated from light case `FourPlane`, 3eaadbb6452cd12b. Do not edit.
 
 /// Width and height of the map in texels.
 const FOUR_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1096,7 +1098,7 @@ fn four_plane_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0)
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 2935699219093124. Do not edit.
+// Generated from light case `FourPlane`, 3eaadbb6452cd12b. Do not edit.
 
 /// Width and height of the map in texels.
 const FOUR_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `OnePlane`, 97bac4a2198bacf9. Do not edit.
+// Generated from light case `OnePlane`, a20c376c0e2922fe. Do not edit.
 
 /// The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 /// metres. For light from outside the view; the other lights need `four_plane` beside it.
@@ -33,6 +33,7 @@ pub mod one_plane {
             ),
             stretch: Stretch::None,
             dominant_plane: None,
+            fit: Fit::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -197,7 +198,7 @@ pub mod one_plane {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("OnePlane"),
             prefix: Cow::Borrowed("one_plane"),
-            fingerprint: 0x97bac4a2198bacf9,
+            fingerprint: 0xa20c376c0e2922fe,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -218,6 +219,7 @@ pub mod one_plane {
             records: Cow::Borrowed(RECORDS),
             groups: Cow::Borrowed(GROUPS),
             passes: Cow::Borrowed(PASSES),
+            reduction: None,
             shaders: Cow::Borrowed(SHADERS),
         };
         const CONSTANTS: &[Constant] = &[
@@ -563,7 +565,7 @@ pub mod one_plane {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, 97bac4a2198bacf9. Do not edit.
+// Generated from light case `OnePlane`, a20c376c0e2922fe. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct OnePlaneCapture {
@@ -628,7 +630,7 @@ fn one_plane_capture_vertex(vertex: OnePlaneCasterVertex) -> @builtin(position) 
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, 97bac4a2198bacf9. Do not edit.
+// Generated from light case `OnePlane`, a20c376c0e2922fe. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct OnePlaneCapture {
@@ -720,7 +722,7 @@ fn one_plane_capture_clamped_fragment(caster: OnePlaneClampedCaster) -> @builtin
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, 97bac4a2198bacf9. Do not edit.
+// Generated from light case `OnePlane`, a20c376c0e2922fe. Do not edit.
 
 /// Width and height of the map in texels.
 const ONE_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -996,7 +998,7 @@ fn one_plane_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) 
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, 97bac4a2198bacf9. Do not edit.
+// Generated from light case `OnePlane`, a20c376c0e2922fe. Do not edit.
 
 /// Width and height of the map in texels.
 const ONE_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `Planes`, 848eb4f399787671. Do not edit.
+// Generated from light case `Planes`, a127308477c8936c. Do not edit.
 
 /// Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 /// smaller footprint, here with the bands that the paper does not have.
@@ -38,6 +38,7 @@ pub mod planes {
             ),
             stretch: Stretch::None,
             dominant_plane: None,
+            fit: Fit::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -220,7 +221,7 @@ pub mod planes {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Planes"),
             prefix: Cow::Borrowed("planes"),
-            fingerprint: 0x848eb4f399787671,
+            fingerprint: 0xa127308477c8936c,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -241,6 +242,7 @@ pub mod planes {
             records: Cow::Borrowed(RECORDS),
             groups: Cow::Borrowed(GROUPS),
             passes: Cow::Borrowed(PASSES),
+            reduction: None,
             shaders: Cow::Borrowed(SHADERS),
         };
         const CONSTANTS: &[Constant] = &[
@@ -633,7 +635,7 @@ pub mod planes {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 848eb4f399787671. Do not edit.
+// Generated from light case `Planes`, a127308477c8936c. Do not edit.
 
 enable clip_distances;
 
@@ -717,7 +719,7 @@ fn planes_capture_vertex(vertex: PlanesCasterVertex) -> PlanesClippedCaster {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 848eb4f399787671. Do not edit.
+// Generated from light case `Planes`, a127308477c8936c. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PlanesCapture {
@@ -827,7 +829,7 @@ fn planes_capture_clamped_fragment(caster: PlanesClampedCaster) -> @builtin(frag
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 848eb4f399787671. Do not edit.
+// Generated from light case `Planes`, a127308477c8936c. Do not edit.
 
 /// Width and height of the map in texels.
 const PLANES_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1154,7 +1156,7 @@ fn planes_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, 848eb4f399787671. Do not edit.
+// Generated from light case `Planes`, a127308477c8936c. Do not edit.
 
 /// Width and height of the map in texels.
 const PLANES_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

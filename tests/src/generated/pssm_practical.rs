@@ -1,4 +1,4 @@
-// Generated from light case `Pssm4Practical`, 16639d5d227035cd. Do not edit.
+// Generated from light case `Pssm4Practical`, 0d8893cdbc4ee604. Do not edit.
 
 /// Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 /// engines have them.
@@ -36,6 +36,7 @@ pub mod pssm_practical {
             distribution: None,
             stretch: Stretch::None,
             dominant_plane: None,
+            fit: Fit::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -202,7 +203,7 @@ pub mod pssm_practical {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Pssm4Practical"),
             prefix: Cow::Borrowed("pssm_practical"),
-            fingerprint: 0x16639d5d227035cd,
+            fingerprint: 0x0d8893cdbc4ee604,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -223,6 +224,7 @@ pub mod pssm_practical {
             records: Cow::Borrowed(RECORDS),
             groups: Cow::Borrowed(GROUPS),
             passes: Cow::Borrowed(PASSES),
+            reduction: None,
             shaders: Cow::Borrowed(SHADERS),
         };
         const CONSTANTS: &[Constant] = &[
@@ -578,7 +580,7 @@ pub mod pssm_practical {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 16639d5d227035cd. Do not edit.
+// Generated from light case `Pssm4Practical`, 0d8893cdbc4ee604. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmPracticalCapture {
@@ -643,7 +645,7 @@ fn pssm_practical_capture_vertex(vertex: PssmPracticalCasterVertex) -> @builtin(
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 16639d5d227035cd. Do not edit.
+// Generated from light case `Pssm4Practical`, 0d8893cdbc4ee604. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmPracticalCapture {
@@ -735,7 +737,7 @@ fn pssm_practical_capture_clamped_fragment(caster: PssmPracticalClampedCaster) -
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 16639d5d227035cd. Do not edit.
+// Generated from light case `Pssm4Practical`, 0d8893cdbc4ee604. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_PRACTICAL_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1014,7 +1016,7 @@ fn pssm_practical_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @locatio
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 16639d5d227035cd. Do not edit.
+// Generated from light case `Pssm4Practical`, 0d8893cdbc4ee604. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_PRACTICAL_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `Standard`, 69583ee82c6c8522. Do not edit.
+// Generated from light case `Standard`, aa438b9d319a139d. Do not edit.
 
 /// One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 /// as the lower bound that other cases are compared with.
@@ -24,6 +24,7 @@ pub mod standard {
             distribution: None,
             stretch: Stretch::None,
             dominant_plane: None,
+            fit: Fit::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -180,7 +181,7 @@ pub mod standard {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Standard"),
             prefix: Cow::Borrowed("standard"),
-            fingerprint: 0x69583ee82c6c8522,
+            fingerprint: 0xaa438b9d319a139d,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -201,6 +202,7 @@ pub mod standard {
             records: Cow::Borrowed(RECORDS),
             groups: Cow::Borrowed(GROUPS),
             passes: Cow::Borrowed(PASSES),
+            reduction: None,
             shaders: Cow::Borrowed(SHADERS),
         };
         const CONSTANTS: &[Constant] = &[
@@ -530,7 +532,7 @@ pub mod standard {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 69583ee82c6c8522. Do not edit.
+// Generated from light case `Standard`, aa438b9d319a139d. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct StandardCapture {
@@ -595,7 +597,7 @@ fn standard_capture_vertex(vertex: StandardCasterVertex) -> @builtin(position) v
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 69583ee82c6c8522. Do not edit.
+// Generated from light case `Standard`, aa438b9d319a139d. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct StandardCapture {
@@ -687,7 +689,7 @@ fn standard_capture_clamped_fragment(caster: StandardClampedCaster) -> @builtin(
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 69583ee82c6c8522. Do not edit.
+// Generated from light case `Standard`, aa438b9d319a139d. Do not edit.
 
 /// Width and height of the map in texels.
 const STANDARD_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -942,7 +944,7 @@ fn standard_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) v
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, 69583ee82c6c8522. Do not edit.
+// Generated from light case `Standard`, aa438b9d319a139d. Do not edit.
 
 /// Width and height of the map in texels.
 const STANDARD_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `Sun`, 2f6e1c59732e0d06. Do not edit.
+// Generated from light case `Sun`, 3e7ec0df5967c529. Do not edit.
 
 /// Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 /// shadow distance and texels stay the same size on the screen, near and far.
@@ -29,6 +29,7 @@ pub mod sun {
             ),
             stretch: Stretch::None,
             dominant_plane: None,
+            fit: Fit::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -208,7 +209,7 @@ pub mod sun {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Sun"),
             prefix: Cow::Borrowed("sun"),
-            fingerprint: 0x2f6e1c59732e0d06,
+            fingerprint: 0x3e7ec0df5967c529,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -229,6 +230,7 @@ pub mod sun {
             records: Cow::Borrowed(RECORDS),
             groups: Cow::Borrowed(GROUPS),
             passes: Cow::Borrowed(PASSES),
+            reduction: None,
             shaders: Cow::Borrowed(SHADERS),
         };
         const CONSTANTS: &[Constant] = &[
@@ -613,7 +615,7 @@ pub mod sun {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 2f6e1c59732e0d06. Do not edit.
+// Generated from light case `Sun`, 3e7ec0df5967c529. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SunCapture {
@@ -678,7 +680,7 @@ fn sun_capture_vertex(vertex: SunCasterVertex) -> @builtin(position) vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 2f6e1c59732e0d06. Do not edit.
+// Generated from light case `Sun`, 3e7ec0df5967c529. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SunCapture {
@@ -770,7 +772,7 @@ fn sun_capture_clamped_fragment(caster: SunClampedCaster) -> @builtin(frag_depth
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 2f6e1c59732e0d06. Do not edit.
+// Generated from light case `Sun`, 3e7ec0df5967c529. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1097,7 +1099,7 @@ fn sun_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<f
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 2f6e1c59732e0d06. Do not edit.
+// Generated from light case `Sun`, 3e7ec0df5967c529. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
+// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
 
 /// Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 /// span many rows decided pixel by pixel.
@@ -31,6 +31,7 @@ pub mod sun_log {
                 bound_texels: 0.25,
             },
             dominant_plane: None,
+            fit: Fit::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -226,7 +227,7 @@ pub mod sun_log {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("SunLog"),
             prefix: Cow::Borrowed("sun_log"),
-            fingerprint: 0xc4cfe266d3ca599c,
+            fingerprint: 0x3659ba3045f20f01,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -249,6 +250,7 @@ pub mod sun_log {
             records: Cow::Borrowed(RECORDS),
             groups: Cow::Borrowed(GROUPS),
             passes: Cow::Borrowed(PASSES),
+            reduction: None,
             shaders: Cow::Borrowed(SHADERS),
         };
         const CONSTANTS: &[Constant] = &[
@@ -767,7 +769,7 @@ pub mod sun_log {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
+// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_LOG_STRETCH_BOUND: f32 = 0.25;
@@ -1019,7 +1021,7 @@ fn sun_log_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
+// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_LOG_STRETCH_BOUND: f32 = 0.25;
@@ -1298,7 +1300,7 @@ fn sun_log_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
+// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_LOG_STRETCH_BOUND: f32 = 0.25;
@@ -1907,7 +1909,7 @@ fn sun_log_capture_bent_fragment(caster: SunLogBentCaster) -> @builtin(frag_dept
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
+// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -2259,7 +2261,7 @@ fn sun_log_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) ve
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, c4cfe266d3ca599c. Do not edit.
+// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

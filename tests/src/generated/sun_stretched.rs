@@ -1,4 +1,4 @@
-// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
+// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
 
 /// The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 /// bent until half of them lie within ten metres. For light from outside the view.
@@ -35,6 +35,7 @@ pub mod sun_stretched {
                 bound_texels: 0.25,
             },
             dominant_plane: None,
+            fit: Fit::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -215,7 +216,7 @@ pub mod sun_stretched {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("SunStretched"),
             prefix: Cow::Borrowed("sun_stretched"),
-            fingerprint: 0xbf8edc147555a219,
+            fingerprint: 0xa965eebdbeb8511a,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -238,6 +239,7 @@ pub mod sun_stretched {
             records: Cow::Borrowed(RECORDS),
             groups: Cow::Borrowed(GROUPS),
             passes: Cow::Borrowed(PASSES),
+            reduction: None,
             shaders: Cow::Borrowed(SHADERS),
         };
         const CONSTANTS: &[Constant] = &[
@@ -717,7 +719,7 @@ pub mod sun_stretched {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
+// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_STRETCHED_STRETCH_BOUND: f32 = 0.25;
@@ -960,7 +962,7 @@ fn sun_stretched_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
+// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_STRETCHED_STRETCH_BOUND: f32 = 0.25;
@@ -1230,7 +1232,7 @@ fn sun_stretched_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
+// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_STRETCHED_STRETCH_BOUND: f32 = 0.25;
@@ -1828,7 +1830,7 @@ fn sun_stretched_capture_bent_fragment(caster: SunStretchedBentCaster) -> @built
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
+// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_STRETCHED_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -2127,7 +2129,7 @@ fn sun_stretched_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, bf8edc147555a219. Do not edit.
+// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_STRETCHED_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

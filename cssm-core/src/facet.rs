@@ -270,9 +270,9 @@ impl Selection {
 
         // Walk from the ring's start on its near side, from its end on the far side.
         let walked = if first.dot(point) >= 0.0 {
-            others.iter().take_while(|border| border.dot(point) >= 0.0).count()
+            others.iter().position(|border| border.dot(point) < 0.0).unwrap_or(others.len())
         } else {
-            others.len() - others.iter().rev().take_while(|border| border.dot(point) < 0.0).count()
+            others.iter().rposition(|border| border.dot(point) >= 0.0).map_or(0, |last| last + 1)
         };
         half * self.sectors + walked as u32
     }
@@ -291,7 +291,7 @@ impl Selection {
                 let distance = row.dot(point);
                 let unit = self.units.get(sector as usize).map_or(point.w, |unit| unit.dot(point));
                 let limits = self.thresholds.get(sector as usize).map_or(&[][..], Vec::as_slice);
-                limits.iter().filter(|limit| distance >= **limit * unit).count() as u32
+                limits.iter().map(|limit| u32::from(distance >= *limit * unit)).sum()
             }
         };
         sector * self.bands + band

@@ -135,8 +135,8 @@ impl Polytope {
 
         // Keep what lies inside, then add the new vertices.
         let mut kept = 0;
-        for index in 0..signed.len() {
-            if signed[index] >= 0.0 {
+        for (index, value) in signed.iter().enumerate() {
+            if *value >= 0.0 {
                 self.vertices[kept] = self.vertices[index];
                 self.incidence[kept] = self.incidence[index];
                 kept += 1;

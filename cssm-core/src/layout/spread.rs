@@ -10,13 +10,15 @@ use smallvec::SmallVec;
 use super::Gram;
 
 /// Number of widths.
-pub(super) const WIDTHS: usize = 32;
+pub(super) const WIDTHS: usize = 48;
 /// Largest width, in lengths of the longest vector.
 const WIDEST: f64 = 2.0;
 /// Share of a facet's samples that must not exceed the footprint.
 const SHARE: f64 = 0.95;
 /// Square of the width at which both sides are traded, in squares of the least width.
-const TRADED: f64 = 1.2;
+const TRADED: f64 = 1.5;
+/// Largest growth of the squared length there, in squares of the least length.
+const MOST_TRADED: f64 = 2.0;
 /// Stands for infinite lengths.
 const LONGEST: f64 = 1e15;
 /// Largest values that are kept sorted while values pass by; more are selected.
@@ -68,7 +70,8 @@ impl Spread {
                 if free > 0.0 { along + gram.xy * gram.xy / free } else { f64::INFINITY }
             };
             let length = quantile(grams.iter().map(least), &mut values);
-            let rest = if length.is_finite() { (length - along).max(0.0) } else { along };
+            // Where many samples are as wide as the tile the length has no bound; what it may grow by has one.
+            let rest = (length - along).clamp(0.0, MOST_TRADED * along);
             Extent { across, along, shear: rest * (square - across) }
         };
         let upright = extent(across, along, |gram| (gram.xx, gram.yy));

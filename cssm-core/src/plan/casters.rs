@@ -6,6 +6,8 @@ use crate::facet::{FacetRows, Tile};
 
 /// Sine of the angle between a plane and the light below which the plane counts as containing it.
 const CONTAINS_LIGHT: f64 = 1e-9;
+/// Edge of a silhouette, in its extents, whose direction is but rounding; without it the volume is hardly larger.
+const SHORTEST_EDGE: f64 = 1e-9;
 /// Filter taps beyond the receivers' silhouette, in texels, when the tile has no gutter.
 const FEWEST_TEXELS: f64 = 1.0;
 
@@ -35,13 +37,19 @@ pub(super) fn planes(
         reach(y + texel_y).max(reach(y - texel_y))
     };
     if outline.len() >= 3 {
-        let next = outline.iter().cycle().skip(1);
-        planes.extend(outline.iter().zip(next).map(|(one, two)| {
-            let inward = (*two - *one).perp();
+        let low = outline.iter().fold(DVec2::INFINITY, |low, corner| low.min(*corner));
+        let high = outline.iter().fold(DVec2::NEG_INFINITY, |high, corner| high.max(*corner));
+        let shortest = (high - low) * SHORTEST_EDGE;
+        for (one, two) in outline.iter().zip(outline.iter().cycle().skip(1)) {
+            let along = *two - *one;
+            if along.abs().cmple(shortest).all() {
+                continue;
+            }
+            let inward = along.perp();
             let texel_y = reach_y(one.y).max(reach_y(two.y));
             let slack = inward.x.abs() * texel_x + inward.y.abs() * texel_y;
-            rows.x * inward.x + rows.y * inward.y + rows.w * (slack - inward.dot(*one))
-        }));
+            planes.push(rows.x * inward.x + rows.y * inward.y + rows.w * (slack - inward.dot(*one)));
+        }
     } else {
         let (low, high) = (rows.remap.k(-1.0), rows.remap.k(1.0));
         let (low, high) = (rows.w * low.min(high), rows.w * low.max(high));

@@ -34,7 +34,7 @@ pub struct PlanBasis {
 /// world's origin.
 const COVERED: f64 = 1e-9;
 /// Sample receivers by which a held plan is judged.
-const SAMPLES: usize = 256;
+const SAMPLES: usize = 512;
 
 impl ShadowPlan {
     /// The same plan as seen from another view: every world point has the texel, the depth and the cell that it had,

@@ -104,8 +104,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     let drafted = any(case.configurations.iter().map(draft))?.into_iter().flatten();
     let whole = |draft: Draft| fit::narrowed(draft.with_dominant(dominant.as_ref()), &situation);
     let drafts: Vec<Draft> = drafted.map(whole).collect();
-    let judged_by = window::judged_by(&drafts);
-    let samples = window::samples(&situation, judged_by);
+    let samples = window::samples(&situation, &drafts);
     let mut fitted = any(drafts.iter().map(|draft| fitted::fit(draft, &situation, &samples)))?;
     if fitted.is_empty() {
         return Err(PlanError::Degenerate {
@@ -116,16 +115,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     let predictions: Vec<Prediction> = fitted.iter().map(Fitted::prediction).collect();
     let (best_draft, reason) = choose(&predictions, kept);
     let complete = predictions[best_draft].p95_pixels.is_finite();
-    let best = fitted.swap_remove(best_draft);
-
-    // Where many facets share the map, size its tiles by more than drafts are compared by.
-    let sized_by = window::sized_by(best.draft);
-    let best = if sized_by > judged_by {
-        fitted::fit(best.draft, &situation, &window::samples(&situation, sized_by))?
-    } else {
-        best
-    };
-    let Fitted { draft, windows, tiles, p95_pixels } = best;
+    let Fitted { draft, windows, tiles, p95_pixels } = fitted.swap_remove(best_draft);
 
     // Store depth the way that rounds least.
     let shape = case.shape();

@@ -14,16 +14,12 @@ use crate::remap::{Curve, Remap};
 use crate::samples;
 use crate::technique::{Draft, FacetDraft, Region, Situation, TileRequest};
 
-/// Sample receivers of a view for each facet whose tile they size.
-const SAMPLES_PER_FACET: usize = 24;
-/// Fewest and most sample receivers of a view by which tiles are sized.
-const SIZED: (usize, usize) = (256, 768);
-/// Sample receivers of a view by which drafts are compared.
-const COMPARED: usize = 256;
+/// Sample receivers of a view by which tiles are sized and drafts compared.
+const SAMPLES: usize = 1024;
 /// Sample receivers of a view where neither is done.
-const ALONE: usize = 96;
+const ALONE: usize = 128;
 /// Fewest samples of a facet; the rest come from its own polytope.
-const FEWEST_SAMPLES: usize = 12;
+const FEWEST_SAMPLES: usize = 24;
 /// Extent in x/w or y/w, relative to its size, below which a facet holds no receivers of any area.
 const EMPTY_EXTENT: f64 = 1e-12;
 /// Area in clip space, of 4, below which a facet's receivers lie on a line in the light's view.
@@ -133,23 +129,13 @@ impl Window<'_> {
     }
 }
 
-/// How many visible points the tiles of a draft are sized by.
-pub(super) fn sized_by(draft: &Draft) -> usize {
-    let facets = draft.facets.len();
-    let is_alone = facets == 1 || !draft.facets.iter().any(is_sized);
-    if is_alone { ALONE } else { (facets * SAMPLES_PER_FACET).clamp(SIZED.0, SIZED.1) }
-}
-
-/// How many visible points some drafts are judged by.
-pub(super) fn judged_by(drafts: &[Draft]) -> usize {
-    match drafts {
-        [draft] => sized_by(draft),
-        _ => COMPARED,
-    }
-}
-
-/// Visible points of a situation, camera space.
-pub(super) fn samples(situation: &Situation<'_>, count: usize) -> Vec<DVec3> {
+/// Visible points of a situation, camera space, by which drafts are judged: few where nothing depends on them but figures
+/// of single facets.
+pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Vec<DVec3> {
+    let count = match drafts {
+        [draft] if draft.facets.len() == 1 || !draft.facets.iter().any(is_sized) => ALONE,
+        _ => SAMPLES,
+    };
     let everywhere = || samples::receivers(situation.view, &situation.receivers, count);
     situation.sighted.samples().map_or_else(everywhere, <[DVec3]>::to_vec)
 }
@@ -207,7 +193,9 @@ pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>, samples: &[DV
         let cuts = own_cuts(&facet.receivers, &situation.receivers);
         let start = all.len();
         let mut add = |point: DVec3| {
-            all.extend(gram(&rows, situation, point).map(|gram| Sample { point, gram }));
+            if let Some(gram) = gram(&rows, situation, point) {
+                all.push(Sample { point, gram });
+            }
         };
         for point in own {
             let homogeneous = point.extend(1.0);

@@ -174,8 +174,7 @@ impl GpuCulling {
     }
 }
 
-/// Whether draws can be counted on the device. Lavapipe says so, but draws with indices that begin elsewhere, and takes the
-/// count for later draws too.
+/// Whether draws can be counted on the device. Lavapipe says so, but takes the count for later draws that are not counted.
 fn counts_draws(device: &wgpu::Device) -> bool {
     let is_software = device.adapter_info().device_type == wgpu::DeviceType::Cpu;
     device.features().contains(wgpu::Features::MULTI_DRAW_INDIRECT_COUNT) && !is_software

@@ -1,6 +1,8 @@
 //! The shader library: one file for each alternative of each slot, and which of them a case takes.
 
-use cssm_core::case::{Bias, Filter, Kernel, LightCase, MaskDepth, MaskNormal, Resolve};
+mod filter;
+
+use cssm_core::case::{Bias, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
 use cssm_core::distribution::RemapKind;
 use cssm_core::table::{CaseTable, ConstantKind, GroupContent, ShaderKind};
 
@@ -186,10 +188,10 @@ pub(crate) fn pick(
             (capture(table, shader), &["capture_bent_tested_vertex", "capture_bent_tested_fragment"])
         }
         ShaderKind::PrefilterRows => {
-            (prefilter(table, shader), &["prefilter_rows_vertex", "prefilter_rows_fragment"])
+            (filter::prefilter(table, shader), &["prefilter_rows_vertex", "prefilter_rows_fragment"])
         }
         ShaderKind::PrefilterColumns => {
-            (prefilter(table, shader), &["prefilter_columns_vertex", "prefilter_columns_fragment"])
+            (filter::prefilter(table, shader), &["prefilter_columns_vertex", "prefilter_columns_fragment"])
         }
         ShaderKind::Mask => {
             let mut names = visibility(case, table);
@@ -246,14 +248,6 @@ fn is_bent(shader: ShaderKind) -> bool {
 /// Whether a table's casters are told apart by how far rows bend their edges.
 fn bends_exactly(table: &CaseTable) -> bool {
     table.group(ShaderKind::CaptureBent, GroupContent::CasterMesh).is_some()
-}
-
-/// Files of a pass of the prefilter.
-fn prefilter(table: &CaseTable, shader: ShaderKind) -> Vec<&'static str> {
-    if shader == ShaderKind::PrefilterColumns {
-        return vec!["moments_tile", "prefilter_columns"];
-    }
-    vec!["moments_tile", "moments_warp", order(table), "prefilter_rows"]
 }
 
 /// The file that tells which way depths compare.
@@ -391,12 +385,12 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
     names.extend((plane || measures).then_some(if bent { "up_bent" } else { "up_straight" }));
     names.extend(local.then_some("light_distance"));
     names.push(bias(case, table));
-    names.extend(filter(case, table, plane));
+    names.extend(filter::files(case, table, plane));
 
     // Join them.
     let many = table.cells() > 1;
     if case.filter.is_wide() {
-        names.push(joined_wide(case, many, local));
+        names.push(filter::joined_wide(case, many, local));
         return names;
     }
     names.push(match (many, case.bias.reads_normal(), local) {
@@ -412,50 +406,6 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
         (true, true, true) => "visibility_many_normal_local",
     });
     names
-}
-
-/// Files of the filter and its kernel.
-fn filter(case: &LightCase, table: &CaseTable, plane: bool) -> Vec<&'static str> {
-    let own: &[_] = match (case.filter, plane) {
-        (Filter::None, false) => return vec!["filter_none_flat"],
-        (Filter::None, true) => return vec!["filter_none_plane"],
-        (Filter::Hardware2x2, false) => return vec!["filter_hardware_flat"],
-        (Filter::Hardware2x2, true) => return vec!["filter_hardware_plane"],
-        (Filter::Gather2x2, false) => return vec!["filter_gather_flat"],
-        (Filter::Gather2x2, true) => return vec!["filter_gather_plane"],
-        (Filter::Evsm2 { .. }, _) => return vec!["moments_warp", "filter_moments"],
-        (Filter::Pcf { kernel: Kernel::Texels, .. }, _) => &["kernel_texels", "filter_pcf_fixed"],
-        (Filter::Pcf { kernel: Kernel::Metres(_), .. }, _) => &["kernel_metres", "filter_pcf_varying"],
-        (Filter::Pcf { kernel: Kernel::Pixels(_), .. }, _) => &["kernel_pixels", "filter_pcf_varying"],
-        (Filter::Pcss { .. }, false) => &["kernel_light", "filter_casters_flat", "filter_pcss"],
-        (Filter::Pcss { .. }, true) => &["kernel_light", "filter_casters_plane", "filter_pcss"],
-    };
-    let mut names = own.to_vec();
-    names.extend([
-        "kernel_room",
-        "filter_overlap",
-        if plane { "filter_box_plane" } else { "filter_box_flat" },
-    ]);
-    if case.filter.measures_texels() {
-        names.extend(["texel_density", if table.shears { "gradient_sheared" } else { "gradient_plain" }]);
-    }
-    names
-}
-
-/// The file that joins a filter that finds the width of its kernel.
-fn joined_wide(case: &LightCase, many: bool, local: bool) -> &'static str {
-    match (many, case.bias.reads_normal(), local) {
-        (false, _, _) if case.bias == Bias::None => "visibility_one_unbiased_wide",
-        (true, _, _) if case.bias == Bias::None => "visibility_many_unbiased_wide",
-        (false, false, false) => "visibility_one_biased_wide",
-        (false, false, true) => "visibility_one_biased_local_wide",
-        (false, true, false) => "visibility_one_normal_wide",
-        (false, true, true) => "visibility_one_normal_local_wide",
-        (true, false, false) => "visibility_many_biased_wide",
-        (true, false, true) => "visibility_many_biased_local_wide",
-        (true, true, false) => "visibility_many_normal_wide",
-        (true, true, true) => "visibility_many_normal_local_wide",
-    }
 }
 
 /// Files that find the facet of a receiver; none for a single facet.

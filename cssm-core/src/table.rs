@@ -7,6 +7,7 @@
 mod caster;
 mod constant;
 mod describe;
+mod filter;
 mod write;
 
 pub use caster::{CasterAttribute, CasterBinding, CasterShader, CasterSpace, CasterTable, caster_rows};

@@ -2,11 +2,12 @@
 
 use std::borrow::Cow;
 
+use super::filter;
 use super::{
     BindGroup, Binding, BindingKind, CaseTable, Constant, ConstantKind, ConstantValue, FieldType,
     GroupContent, Meaning, Pass, Record, RecordField, RecordKind, Reduction, Resource, ShaderKind,
 };
-use crate::case::{Bias, Casters, Filter, Kernel, LightCase, MaskDepth, MaskNormal, Resolve, Stretch};
+use crate::case::{Bias, Casters, Filter, LightCase, MaskDepth, MaskNormal, Resolve, Stretch};
 use crate::distribution::RemapKind;
 use crate::facet::FacetShape;
 use crate::fit;
@@ -32,8 +33,8 @@ impl CaseTable {
 
         if case.filter.is_prefiltered() {
             for shader in [ShaderKind::PrefilterRows, ShaderKind::PrefilterColumns] {
-                groups.push(prefilter_group(&names, shader));
-                passes.push(prefilter_pass(&names, shader));
+                groups.push(filter::prefilter_group(&names, shader));
+                passes.push(filter::prefilter_pass(&names, shader));
             }
         }
 
@@ -92,7 +93,7 @@ impl CaseTable {
             may_reverse_depth: case.may_reverse_depth(),
             axes: case.axes,
             shears: case.shears(),
-            fetches_per_pixel: fetches_per_pixel(case.filter),
+            fetches_per_pixel: filter::fetches_per_pixel(case.filter),
             constants: constants(&names, case).into(),
             records: records.into(),
             groups: groups.into(),
@@ -100,22 +101,6 @@ impl CaseTable {
             reduction,
             shaders: Cow::Borrowed(&[]),
         }
-    }
-}
-
-/// Texture fetch instructions of the map for one receiver, at most.
-const fn fetches_per_pixel(filter: Filter) -> u32 {
-    match filter {
-        Filter::None | Filter::Hardware2x2 | Filter::Gather2x2 => 1,
-        Filter::Pcf { .. } => {
-            let gathers = filter.texels_across() / 2;
-            gathers * gathers
-        }
-        Filter::Pcss { .. } => {
-            let gathers = filter.texels_across().div_ceil(2);
-            2 * gathers * gathers
-        }
-        Filter::Evsm2 { .. } => 4,
     }
 }
 
@@ -146,12 +131,12 @@ const fn is_tested(shader: ShaderKind) -> bool {
 }
 
 /// Emitted names of a case: `sun_mask_vertex`, `SunFacet`.
-struct Names<'a> {
+pub(super) struct Names<'a> {
     prefix: &'a str,
 }
 
 impl Names<'_> {
-    fn value(&self, name: &str) -> Cow<'static, str> {
+    pub(super) fn value(&self, name: &str) -> Cow<'static, str> {
         format!("{}_{name}", self.prefix).into()
     }
 
@@ -180,26 +165,7 @@ fn constants(names: &Names, case: &LightCase) -> Vec<Constant> {
         let size = [case.map.width as f32, case.map.height as f32];
         push(ConstantKind::MapSize, ConstantValue::Vec2(size));
     }
-    if let Filter::Pcf { size, kernel } = case.filter {
-        if kernel == Kernel::Texels {
-            push(ConstantKind::Gathers, ConstantValue::U32(case.filter.texels_across() / 2));
-        }
-        push(ConstantKind::WidestKernel, ConstantValue::F32(0.5 * size.texels() as f32));
-        match kernel {
-            Kernel::Texels => {}
-            Kernel::Metres(width) => push(ConstantKind::KernelMetres, ConstantValue::F32(0.5 * width as f32)),
-            Kernel::Pixels(width) => push(ConstantKind::KernelPixels, ConstantValue::F32(0.5 * width as f32)),
-        }
-    }
-    if let Filter::Evsm2 { exponent, blur_texels, bleeding } = case.filter {
-        push(ConstantKind::Exponent, ConstantValue::F32(exponent as f32));
-        push(ConstantKind::Blur, ConstantValue::U32(blur_texels));
-        push(ConstantKind::Bleeding, ConstantValue::F32(bleeding as f32));
-    }
-    if let Filter::Pcss { source, reach_texels } = case.filter {
-        push(ConstantKind::WidestKernel, ConstantValue::F32(reach_texels as f32));
-        push(ConstantKind::LightRadius, ConstantValue::F32(source.radius() as f32));
-    }
+    filter::constants(case.filter, &mut push);
     if shape.sectors > 1 {
         push(ConstantKind::Sectors, ConstantValue::U32(shape.sectors));
     }
@@ -467,22 +433,8 @@ fn mask_group(names: &Names, depth: MaskDepth, normal: MaskNormal) -> BindGroup 
 
 fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32) -> BindGroup {
     let plan = BindingKind::Uniform { record: RecordKind::Shadow, dynamic_offset: false };
-    let (map, kind) = match case.filter.is_prefiltered() {
-        true => ("moments", BindingKind::Moments),
-        false => ("map", BindingKind::Map),
-    };
-    let mut bindings = vec![
-        Binding { binding: 0, name: names.value("shadow"), kind: plan },
-        Binding { binding: 1, name: names.value(map), kind },
-    ];
-    let sampler = match case.filter {
-        Filter::None | Filter::Evsm2 { .. } => None,
-        Filter::Hardware2x2 => Some(BindingKind::ComparisonSampler),
-        Filter::Gather2x2 | Filter::Pcf { .. } | Filter::Pcss { .. } => Some(BindingKind::GatherSampler),
-    };
-    if let Some(kind) = sampler {
-        bindings.push(Binding { binding: 2, name: names.value("map_sampler"), kind });
-    }
+    let mut bindings = vec![Binding { binding: 0, name: names.value("shadow"), kind: plan }];
+    bindings.extend(filter::bindings(names, case.filter));
 
     // Every shader of the case has them at the same numbers, so that they share one layout.
     let first = case.resolve.iter().find_map(|interface| match interface {
@@ -493,39 +445,6 @@ fn shadow_group(names: &Names, case: &LightCase, shader: ShaderKind, group: u32)
         binding.binding += first.unwrap_or(0);
     }
     BindGroup { shader, content: GroupContent::Shadow, group, bindings: bindings.into() }
-}
-
-/// What a pass of the prefilter reads.
-const fn prefilter_source(shader: ShaderKind) -> (&'static str, BindingKind, &'static [Resource]) {
-    match shader {
-        ShaderKind::PrefilterColumns => ("moment_rows", BindingKind::MomentRows, &[Resource::MomentRows]),
-        _ => ("map", BindingKind::Map, &[Resource::Map]),
-    }
-}
-
-fn prefilter_group(names: &Names, shader: ShaderKind) -> BindGroup {
-    let plan = BindingKind::Uniform { record: RecordKind::Shadow, dynamic_offset: false };
-    let (source, kind, _) = prefilter_source(shader);
-    let bindings = vec![
-        Binding { binding: 0, name: names.value("shadow"), kind: plan },
-        Binding { binding: 1, name: names.value(source), kind },
-    ];
-    BindGroup { shader, content: GroupContent::Prefilter, group: 0, bindings: bindings.into() }
-}
-
-fn prefilter_pass(names: &Names, shader: ShaderKind) -> Pass {
-    let (.., reads) = prefilter_source(shader);
-    let writes = match shader {
-        ShaderKind::PrefilterColumns => &[Resource::Moments],
-        _ => &[Resource::MomentRows],
-    };
-    Pass {
-        shader,
-        vertex: names.value(&format!("{}_vertex", shader.name())),
-        fragment: Some(names.value(&format!("{}_fragment", shader.name()))),
-        reads: Cow::Borrowed(reads),
-        writes: Cow::Borrowed(writes),
-    }
 }
 
 fn capture_pass(names: &Names, shader: ShaderKind) -> Pass {

@@ -1,0 +1,58 @@
+//! Files of filters: those in the resolve stage, and the prefilter's.
+
+use cssm_core::case::{Bias, Filter, Kernel, LightCase};
+use cssm_core::table::{CaseTable, ShaderKind};
+
+use super::order;
+
+/// Files of the filter and its kernel.
+pub(super) fn files(case: &LightCase, table: &CaseTable, plane: bool) -> Vec<&'static str> {
+    let own: &[_] = match (case.filter, plane) {
+        (Filter::None, false) => return vec!["filter_none_flat"],
+        (Filter::None, true) => return vec!["filter_none_plane"],
+        (Filter::Hardware2x2, false) => return vec!["filter_hardware_flat"],
+        (Filter::Hardware2x2, true) => return vec!["filter_hardware_plane"],
+        (Filter::Gather2x2, false) => return vec!["filter_gather_flat"],
+        (Filter::Gather2x2, true) => return vec!["filter_gather_plane"],
+        (Filter::Evsm2 { .. }, _) => return vec!["moments_warp", "filter_moments"],
+        (Filter::Pcf { kernel: Kernel::Texels, .. }, _) => &["kernel_texels", "filter_pcf_fixed"],
+        (Filter::Pcf { kernel: Kernel::Metres(_), .. }, _) => &["kernel_metres", "filter_pcf_varying"],
+        (Filter::Pcf { kernel: Kernel::Pixels(_), .. }, _) => &["kernel_pixels", "filter_pcf_varying"],
+        (Filter::Pcss { .. }, false) => &["kernel_light", "filter_casters_flat", "filter_pcss"],
+        (Filter::Pcss { .. }, true) => &["kernel_light", "filter_casters_plane", "filter_pcss"],
+    };
+    let mut names = own.to_vec();
+    names.extend([
+        "kernel_room",
+        "filter_overlap",
+        if plane { "filter_box_plane" } else { "filter_box_flat" },
+    ]);
+    if case.filter.measures_texels() {
+        names.extend(["texel_density", if table.shears { "gradient_sheared" } else { "gradient_plain" }]);
+    }
+    names
+}
+
+/// The file that joins a filter that finds the width of its kernel.
+pub(super) fn joined_wide(case: &LightCase, many: bool, local: bool) -> &'static str {
+    match (many, case.bias.reads_normal(), local) {
+        (false, _, _) if case.bias == Bias::None => "visibility_one_unbiased_wide",
+        (true, _, _) if case.bias == Bias::None => "visibility_many_unbiased_wide",
+        (false, false, false) => "visibility_one_biased_wide",
+        (false, false, true) => "visibility_one_biased_local_wide",
+        (false, true, false) => "visibility_one_normal_wide",
+        (false, true, true) => "visibility_one_normal_local_wide",
+        (true, false, false) => "visibility_many_biased_wide",
+        (true, false, true) => "visibility_many_biased_local_wide",
+        (true, true, false) => "visibility_many_normal_wide",
+        (true, true, true) => "visibility_many_normal_local_wide",
+    }
+}
+
+/// Files of a pass of the prefilter.
+pub(super) fn prefilter(table: &CaseTable, shader: ShaderKind) -> Vec<&'static str> {
+    if shader == ShaderKind::PrefilterColumns {
+        return vec!["moments_tile", "prefilter_columns"];
+    }
+    vec!["moments_tile", "moments_warp", order(table), "prefilter_rows"]
+}

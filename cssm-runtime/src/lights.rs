@@ -48,7 +48,7 @@ pub use report::{LightReport, LightState, LightStatistics, TileStatistics};
 use crate::atlas::texture_format;
 use crate::casters::CasterScene;
 use crate::commands::{CommandScratch, FrameStatistics};
-use crate::culling::{Culling, CullingWork, GpuCulling};
+use crate::culling::Culling;
 use crate::error::ServiceError;
 use crate::service::{Options, ShadowService};
 use layers::Layers;
@@ -69,8 +69,6 @@ pub struct LightService {
     meshes: Meshes,
     static_casters: CasterScene,
     dynamic_casters: CasterScene,
-    /// Where the options ask for it and the device can.
-    culling: Option<GpuCulling>,
     views: Vec<ServedView>,
     scratch: Scratch,
     /// Counts calls of [`LightService::prepare`].
@@ -114,8 +112,6 @@ struct ServedLight {
 struct Scratch {
     commands: CommandScratch,
     statistics: FrameStatistics,
-    /// What the device is to cull in a frame, for all lights.
-    work: CullingWork,
     claims: Vec<share::Claim>,
     sides: Vec<u32>,
     ruled: Vec<u32>,
@@ -142,10 +138,6 @@ impl LightService {
         let served = |(case, table): &(&LightCase, &CaseTable)| {
             ServedCase::new(device, queue, case, table, options, &layers.main)
         };
-        let culling = match options.service.culling {
-            Culling::Cpu => None,
-            Culling::Gpu => GpuCulling::new(device)?,
-        };
         let cases = cases.iter().map(served).collect::<Result<Vec<_>, _>>()?;
         Ok(Self {
             device: device.clone(),
@@ -158,7 +150,6 @@ impl LightService {
             meshes: Meshes::default(),
             static_casters: CasterScene::new(),
             dynamic_casters: CasterScene::new(),
-            culling,
             views: Vec::new(),
             scratch: Scratch::default(),
             number: 0,
@@ -297,11 +288,6 @@ impl LightService {
         self.cases.get(case.0 as usize).map(|served| &served.service)
     }
 
-    /// Where casters are culled: [`Culling::Gpu`] only if the options ask for it and the device can.
-    pub fn culling(&self) -> Culling {
-        if self.culling.is_some() { Culling::Gpu } else { Culling::Cpu }
-    }
-
     /// Whether the device is lost; see [`ShadowService::device_lost`].
     pub fn device_lost(&self) -> bool {
         self.cases.iter().any(|served| served.service.device_lost())
@@ -354,7 +340,7 @@ impl ServedCase {
         if size != (map.width(), map.height()) || texture_format(case.map.format) != map.format() {
             return Err(ServiceError::MixedMaps { case: case.name.clone() });
         }
-        // All cases are culled together.
+        // One queue of draws serves all lights: the CPU culls them.
         let options = Options { culling: Culling::Cpu, ..options.service };
         let service = ShadowService::sharing(device, queue, table, &options, map)?;
         Ok(Self { case: case.clone(), service })

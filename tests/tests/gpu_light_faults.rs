@@ -270,12 +270,18 @@ fn two_views_share_a_submission_without_touching_each_other() {
         alone.prepare(&frame(view, &casters), &mut prepared).unwrap();
         let own = draw(&gpu, &mut alone, &prepared);
         let own_region = prepared.report().lights[0].region.unwrap();
-        let (one, other) = (square(&own, &own_region), square(&map, region));
+        // Elsewhere in the map, places round by the last bits of a float; in the same place nothing differs.
+        let depths = |bytes: Vec<u8>| -> Vec<f32> {
+            bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
+        };
+        let (one, other) = (depths(square(&own, &own_region)), depths(square(&map, region)));
+        let tolerance = if *region == own_region { 0.0 } else { 1e-4 };
         let differing =
-            one.chunks_exact(4).zip(other.chunks_exact(4)).filter(|(one, other)| one != other).count();
-        println!("{differing} texels differ in {region:?}");
-        assert!(differing * 500 < one.len() / 4, "{differing} of {} texels differ", one.len() / 4);
-        assert!(*region != own_region || differing == 0, "{differing} texels differ in the same place");
+            one.iter().zip(&other).filter(|(one, other)| (*one - *other).abs() > tolerance).count();
+        assert!(
+            differing * 1000 <= if tolerance == 0.0 { 0 } else { one.len() },
+            "{differing} texels differ"
+        );
     }
 
     // A view that is forgotten gives its texels back.

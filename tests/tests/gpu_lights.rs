@@ -8,7 +8,6 @@ use cssm_lab::progress::Progress;
 use cssm_lab::scene::Scene;
 use cssm_lab::truth::{Frame, Tracer};
 use cssm_runtime::lights::{LightDescription, LightOptions, LightReport, LightState, Update};
-use cssm_runtime::{Culling, Options};
 
 const SIZE: (u32, u32) = (320, 180);
 const MAP_SIDE: u32 = 2048;
@@ -211,45 +210,4 @@ fn a_map_that_is_too_small_degrades_all_lights_evenly() {
     assert_eq!(pixels[0].1, 0, "{pixels:?}");
     assert!(pixels[1].0 + pixels[1].1 >= pixels[0].0, "{pixels:?}");
     assert!(pixels[1].2 > pixels[0].2, "{pixels:?}");
-}
-
-#[test]
-fn lights_culled_on_the_device_see_the_same() {
-    let town = town(MAP_SIDE);
-    let (gpu, buffers) = open(&town);
-    let tracer = Tracer::new(&SCENE);
-    let options = |culling| LightOptions {
-        service: Options { culling, ..Options::default() },
-        ..LightOptions::default()
-    };
-    let [mut on_cpu, mut on_gpu] = [Culling::Cpu, Culling::Gpu].map(|culling| {
-        let host = Host::new(&gpu, &town, &buffers, &options(culling)).unwrap();
-        assert_eq!(host.runner.service.culling(), culling);
-        host
-    });
-    let frame = Frame::trace(&tracer, &town.view, &town.lights[0].light, &|_| ());
-    let surface = Surface::new(&gpu, &town.view, &frame).unwrap();
-    for cars in 0..4 {
-        let reports = [&mut on_cpu, &mut on_gpu].map(|host| {
-            host.frame(&town.view, cars).unwrap();
-            let report = host.runner.report();
-            (report.redrawn_texels, report.static_texels, with_texels(report))
-        });
-        assert_eq!(reports[0], reports[1]);
-        assert!(reports[0].0 > 0, "nothing was drawn in frame {cars}");
-
-        // Only texels that nobody reads may differ: between clusters that the CPU draws along.
-        let [expected, found] = [&on_cpu, &on_gpu].map(|host| host.runner.map().unwrap());
-        let differing = expected.iter().zip(&found).filter(|(one, other)| one != other).count();
-        assert!(differing < expected.len() / 100, "{differing} texels differ in frame {cars}");
-        let mut dark = 0;
-        for light in 0..8 {
-            let seen = |host: &Host| host.runner.visibility(host.handles[light], &surface).unwrap();
-            let (expected, found) = (seen(&on_cpu), seen(&on_gpu));
-            let differing = expected.iter().zip(&found).filter(|(one, other)| one != other).count();
-            assert_eq!(differing, 0, "light {light} in frame {cars}");
-            dark += expected.iter().filter(|visible| **visible < 0.5).count();
-        }
-        assert!(dark > 1000, "only {dark} dark pixels");
-    }
 }

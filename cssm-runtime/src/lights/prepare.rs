@@ -14,7 +14,6 @@ use super::shadow::{Content, Fill, Held, Shadow, TileState, TileWork};
 use super::{LightService, Scratch, ServedCase, ServedView};
 use crate::casters::CasterScene;
 use crate::commands::{FrameCommands, MeshFacts};
-use crate::culling::GpuCulling;
 use crate::error::ServiceError;
 use crate::frame::PreparedFrame;
 use crate::gpu::Gpu;
@@ -196,10 +195,9 @@ impl LightService {
         next.report.map_texels = u64::from(self.layers.main.width()) * u64::from(self.layers.main.height());
         let mut left_texels = self.options.redrawn_texels;
         let mut draws_still = false;
-        self.scratch.work.clear();
         for index in 0..self.lights.len() {
             let turn = self.is_its_turn(index);
-            let Self { lights, cases, static_casters, dynamic_casters, scratch, meshes, culling, .. } = self;
+            let Self { lights, cases, static_casters, dynamic_casters, scratch, meshes, .. } = self;
             let Some(entry) = lights.get_mut(index) else { continue };
             let light = LightHandle { index: index as u32, generation: entry.generation };
             let Some(served) = &mut entry.light else { continue };
@@ -239,7 +237,6 @@ impl LightService {
                 static_casters,
                 dynamic_casters,
                 facts,
-                culling.as_ref(),
                 scratch,
                 &mut statistics,
             )?;
@@ -268,10 +265,6 @@ impl LightService {
             next.report.lights.iter().filter(|light| light.state == LightState::Waits).count() as u32;
         if draws_still {
             self.layers.keep_still_casters(&self.device)?;
-        }
-        let Self { device, queue, culling, scratch, .. } = self;
-        if let Some(culling) = culling {
-            next.culled = culling.upload(device, queue, &scratch.work)?;
         }
         Ok(())
     }
@@ -423,12 +416,11 @@ impl PreparedShadow {
         static_casters: &CasterScene,
         dynamic_casters: &CasterScene,
         facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
-        culling: Option<&GpuCulling>,
         scratch: &mut Scratch,
         statistics: &mut LightStatistics,
     ) -> Result<(), ServiceError> {
         let Self { works, still, fixed, dynamic, .. } = self;
-        let Scratch { commands: memory, statistics: counts, work: left, .. } = scratch;
+        let Scratch { commands: memory, statistics: counts, .. } = scratch;
         let drawn_still: fn(&TileWork) -> bool = |work| work.draw_still;
         let drawn_fixed: fn(&TileWork) -> bool = |work| work.fill == Fill::Draw;
         let drawn_dynamic: fn(&TileWork) -> bool = |work| work.content.dynamic != 0;
@@ -440,10 +432,7 @@ impl PreparedShadow {
         for (list, is_drawn, casters, name) in lists {
             let chosen = works.iter().filter(|(.., work)| is_drawn(work));
             let facets = chosen.flat_map(|(position, ..)| tiles[*position].facets.iter().copied());
-            let rebuilt = match culling {
-                None => list.rebuild(plan, facets, casters, &facts, memory, counts),
-                Some(culling) => culling.rebuild(list, plan, facets, casters, &facts, memory, counts, left),
-            };
+            let rebuilt = list.rebuild(plan, facets, casters, &facts, memory, counts);
             rebuilt.map_err(|source| ServiceError::Casters { list: name, source: Box::new(source) })?;
             statistics.draws += counts.draws;
             statistics.triangles += counts.triangles;

@@ -8,7 +8,6 @@ use super::description::{LightHandle, ViewId};
 use super::report::LightReport;
 use super::shadow::TileWork;
 use crate::commands::FrameCommands;
-use crate::culling::CulledFrame;
 use crate::frame::PreparedFrame;
 
 /// One view of one frame: what [`LightService::prepare`](super::LightService::prepare) fills.
@@ -25,8 +24,6 @@ pub struct PreparedLights {
     /// Number of the shadows in use; the others keep their memory.
     pub(super) used: usize,
     pub(super) report: LightReport,
-    /// What the device culls for all of them.
-    pub(super) culled: Option<Arc<CulledFrame>>,
 }
 
 /// One light's part.
@@ -87,7 +84,6 @@ impl PreparedLights {
         self.view = view;
         self.number = number;
         self.used = 0;
-        self.culled = None;
         for shadow in &mut self.shadows {
             shadow.frame = None;
         }

@@ -8,7 +8,6 @@ use super::prepared::{PreparedLights, PreparedShadow};
 use super::shadow::Fill;
 use crate::capture::Records;
 use crate::commands::FrameCommands;
-use crate::culling::CulledFrame;
 use crate::error::ServiceError;
 use crate::frame::{PreparedFrame, Slot};
 use crate::resolve::MaskInputs;
@@ -29,10 +28,7 @@ impl LightService {
     ) -> Result<(), ServiceError> {
         self.check_frame(frame)?;
         self.check_meshes(frame)?;
-        let (shadows, culled) = (frame.in_use(), frame.culled.as_deref());
-        if let (Some(culling), Some(culled)) = (&self.culling, culled) {
-            culling.record(encoder, culled);
-        }
+        let shadows = frame.in_use();
 
         // Draw static casters that are to be kept.
         let still = shadows.iter().any(|shadow| shadow.works.iter().any(|(.., work)| work.draw_still));
@@ -44,7 +40,7 @@ impl LightService {
                 }
             }
             for (shadow, frame) in prepared(shadows) {
-                self.draw(&mut pass, (shadow, frame), culled, &shadow.still, 0);
+                self.draw(&mut pass, (shadow, frame), &shadow.still, 0);
             }
         }
 
@@ -61,9 +57,9 @@ impl LightService {
             }
             for (shadow, frame) in prepared(shadows) {
                 let first = shadow.still.rows.len();
-                self.draw(&mut pass, (shadow, frame), culled, &shadow.fixed, first);
+                self.draw(&mut pass, (shadow, frame), &shadow.fixed, first);
                 let first = first + shadow.fixed.rows.len();
-                self.draw(&mut pass, (shadow, frame), culled, &shadow.dynamic, first);
+                self.draw(&mut pass, (shadow, frame), &shadow.dynamic, first);
             }
         }
 
@@ -71,12 +67,6 @@ impl LightService {
         for (shadow, frame) in prepared(shadows).filter(|(shadow, _)| !shadow.works.is_empty()) {
             let served = self.cases.get(shadow.case);
             served.into_iter().for_each(|served| served.service.gpu().prefilter(encoder, &frame.slot));
-        }
-        // Filter anew what was drawn anew.
-        for (shadow, frame) in prepared(shadows).filter(|(shadow, _)| !shadow.works.is_empty()) {
-            if let Some(served) = self.cases.get(shadow.case) {
-                served.service.gpu().prefilter(encoder, &frame.slot);
-            }
         }
         keep_until_done(encoder, frame);
         self.remember(frame);
@@ -122,14 +112,13 @@ impl LightService {
         &self,
         pass: &mut wgpu::RenderPass,
         (shadow, frame): (&PreparedShadow, &PreparedFrame),
-        culled: Option<&CulledFrame>,
         commands: &FrameCommands,
         first_row: usize,
     ) {
         let Some(served) = self.cases.get(shadow.case) else { return };
         let gpu = served.service.gpu();
         let facet_stride = gpu.layouts.uniforms.facet_stride;
-        let records = Records { slot: &frame.slot, facet_stride, order: frame.depth_order, culled };
+        let records = Records { slot: &frame.slot, facet_stride, order: frame.depth_order, culled: None };
         let mesh = |mesh| self.meshes.mesh(&served.service, shadow.case, mesh);
         gpu.capture.record(pass, commands, records, first_row, mesh);
     }
@@ -237,6 +226,5 @@ fn lit(encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
 /// Holds a frame's slots until the encoder's work is done, or the encoder is dropped.
 fn keep_until_done(encoder: &wgpu::CommandEncoder, frame: &PreparedLights) {
     let slots: Vec<Arc<Slot>> = prepared(frame.in_use()).map(|(_, frame)| Arc::clone(&frame.slot)).collect();
-    let held = (slots, frame.culled.clone());
-    encoder.on_submitted_work_done(move || drop(held));
+    encoder.on_submitted_work_done(move || drop(slots));
 }

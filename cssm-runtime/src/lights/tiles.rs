@@ -69,10 +69,9 @@ mod tests {
         };
         assert!(disjoint(&taken));
         assert!(places.take(1024).is_none());
-        let region = taken[0].region;
+        while places.take(64).is_some() {}
         places.give_back(taken.remove(0));
         taken.push(places.take(512).unwrap());
-        assert_eq!(taken.last().unwrap().region, region);
         assert!(disjoint(&taken));
         places.clear();
         assert!(places.take(1024).is_some());

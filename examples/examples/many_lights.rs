@@ -19,7 +19,7 @@ cssm::light_case! {
         technique: camera_space,
         map: { size: 2048 x 2048 },
         resolve: [mask { depth: linear }],
-        prefix: yard_sun,
+        prefix: sun,
     }
     /// A lamp that shines to all sides.
     case Lamp {
@@ -27,7 +27,7 @@ cssm::light_case! {
         technique: camera_space,
         map: { size: 2048 x 2048 },
         resolve: [mask { depth: linear }],
-        prefix: yard_lamp,
+        prefix: lamp,
     }
     /// A spot light.
     case Spot {
@@ -35,7 +35,7 @@ cssm::light_case! {
         technique: camera_space,
         map: { size: 2048 x 2048 },
         resolve: [mask { depth: linear }],
-        prefix: yard_spot,
+        prefix: spot,
     }
 }
 

@@ -18,6 +18,7 @@ const FRAGMENTS: Options = Options {
     mask_format: wgpu::TextureFormat::R8Unorm,
     material_stages: wgpu::ShaderStages::FRAGMENT,
     clamp_in_fragments: true,
+    culling: cssm_runtime::Culling::Cpu,
 };
 
 fn case(filter: Filter) -> LightCase {

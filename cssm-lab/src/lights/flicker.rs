@@ -45,7 +45,7 @@ pub(super) fn flicker(
 ) -> Result<Vec<Flicker>, LabError> {
     let mut found = Vec::new();
     for (mode, hold) in [("plans held", true), ("planned every frame", false)] {
-        for motion in 0..MOTIONS.len() {
+        for (motion, name) in MOTIONS.into_iter().enumerate() {
             let options = LightOptions { hold, ..LightOptions::default() };
             let mut host = Host::new(gpu, town, buffers, &options)?;
             let (mut flips, mut asked, mut drawn_frames) = (0_u64, 0_u64, 0);
@@ -67,7 +67,7 @@ pub(super) fn flicker(
                 before = Some(now);
             }
             let flipped = flips as f64 / asked.max(1) as f64;
-            found.push(Flicker { mode, motion: MOTIONS[motion], flipped, drawn_frames });
+            found.push(Flicker { mode, motion: name, flipped, drawn_frames });
         }
     }
     Ok(found)

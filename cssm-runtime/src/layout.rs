@@ -89,6 +89,43 @@ pub(crate) fn shader_module(
     })
 }
 
+/// The pipeline of a pass that writes one image, triangles without vertex buffers.
+pub(crate) fn image_pipeline(
+    device: &wgpu::Device,
+    label: &str,
+    groups: &[Option<&wgpu::BindGroupLayout>],
+    module: &wgpu::ShaderModule,
+    pass: &Pass,
+    target: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some(label),
+        bind_group_layouts: groups,
+        immediate_size: 0,
+    });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(label),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some(&pass.vertex),
+            compilation_options: Default::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: pass.fragment.as_deref(),
+            compilation_options: Default::default(),
+            targets: &[Some(target.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
 /// Bytes of a record; zero where the case has none.
 pub(crate) fn record_bytes(table: &CaseTable, kind: RecordKind) -> u32 {
     table.record(kind).map_or(0, |record| record.size_bytes)

@@ -9,7 +9,7 @@ use cssm_core::table::{BindingKind, CaseTable, GroupContent, ShaderKind};
 use crate::atlas::{Atlas, MOMENT_FORMAT, Moments};
 use crate::error::ServiceError;
 use crate::frame::uniform;
-use crate::layout::{bind_group, group_layout, required_group, required_pass, shader_module};
+use crate::layout::{bind_group, group_layout, image_pipeline, required_group, required_pass, shader_module};
 use crate::scope::checked;
 
 /// Corners of the two triangles that cover a tile.
@@ -98,32 +98,7 @@ impl Stage {
         let mut groups = vec![None; 1 + declared.group as usize];
         groups[declared.group as usize] = Some(&layout);
         let pipeline = checked(device, "a prefilter pipeline", || {
-            let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                label: Some(PASS_LABEL),
-                bind_group_layouts: &groups,
-                immediate_size: 0,
-            });
-            device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                label: Some(PASS_LABEL),
-                layout: Some(&pipeline_layout),
-                vertex: wgpu::VertexState {
-                    module: &module,
-                    entry_point: Some(&pass.vertex),
-                    compilation_options: Default::default(),
-                    buffers: &[],
-                },
-                primitive: wgpu::PrimitiveState::default(),
-                depth_stencil: None,
-                multisample: wgpu::MultisampleState::default(),
-                fragment: Some(wgpu::FragmentState {
-                    module: &module,
-                    entry_point: pass.fragment.as_deref(),
-                    compilation_options: Default::default(),
-                    targets: &[Some(MOMENT_FORMAT.into())],
-                }),
-                multiview_mask: None,
-                cache: None,
-            })
+            image_pipeline(device, PASS_LABEL, &groups, &module, pass, MOMENT_FORMAT)
         })?;
         Ok(Self { shader, group: declared.group, layout, pipeline })
     }

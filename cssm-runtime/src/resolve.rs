@@ -4,7 +4,7 @@ use cssm_core::table::{BindingKind, CaseTable, GroupContent, ShaderKind};
 
 use crate::error::ServiceError;
 use crate::frame::{PreparedFrame, Slot, SlotLayouts, uniform};
-use crate::layout::{bind_group, group_layout, incomplete, required_group, shader_module};
+use crate::layout::{bind_group, group_layout, image_pipeline, incomplete, required_group, shader_module};
 use crate::scope::checked;
 
 /// What the mask pass reads of the engine's frame.
@@ -50,32 +50,7 @@ impl MaskPipeline {
         groups[shadow.group as usize] = Some(shadow_layout);
 
         let pipeline = checked(device, "the mask pipeline", || {
-            let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                label: Some("cssm mask"),
-                bind_group_layouts: &groups,
-                immediate_size: 0,
-            });
-            device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                label: Some("cssm mask"),
-                layout: Some(&layout),
-                vertex: wgpu::VertexState {
-                    module: &module,
-                    entry_point: Some(&pass.vertex),
-                    compilation_options: Default::default(),
-                    buffers: &[],
-                },
-                primitive: wgpu::PrimitiveState::default(),
-                depth_stencil: None,
-                multisample: wgpu::MultisampleState::default(),
-                fragment: Some(wgpu::FragmentState {
-                    module: &module,
-                    entry_point: pass.fragment.as_deref(),
-                    compilation_options: Default::default(),
-                    targets: &[Some(target.into())],
-                }),
-                multiview_mask: None,
-                cache: None,
-            })
+            image_pipeline(device, "cssm mask", &groups, &module, pass, target)
         })?;
         Ok(Some(Self { pipeline, input_layout }))
     }

@@ -273,7 +273,7 @@ impl LightService {
             .filter_map(|entry| entry.light.as_mut())
             .filter(|one| one.description.case == handle)
         {
-            served.shadows.iter_mut().for_each(|shadow| shadow.held = None);
+            served.shadows.iter_mut().for_each(|shadow| (shadow.held, shadow.unseen) = (None, None));
         }
         Ok(())
     }

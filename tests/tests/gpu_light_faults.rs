@@ -3,7 +3,7 @@
 use cssm_codegen::generate;
 use cssm_core::glam::{DAffine3, DVec3};
 use cssm_core::table::{CaseTable, ShaderKind};
-use cssm_core::{Light, LightCase, View};
+use cssm_core::{BoundingBox, Light, LightCase, SceneBounds, View};
 use cssm_lab::case_file::{pick_case, with_map_size};
 use cssm_runtime::lights::{CaseHandle, LightDescription, LightFrame, LightOptions, LightState, ViewId};
 use cssm_runtime::{CasterInstance, LightService, MeshHandle, PreparedLights, ServiceError, read_back, wgpu};
@@ -289,4 +289,22 @@ fn two_views_share_a_submission_without_touching_each_other() {
     let mut prepared = PreparedLights::new();
     service.prepare(&frame(&views[0], &casters), &mut prepared).unwrap();
     assert_eq!(prepared.report().owned_texels, u64::from(regions[0].width).pow(2));
+}
+
+#[test]
+fn a_light_that_reached_nothing_is_asked_again_when_bounds_change() {
+    let gpu = exclusive();
+    let cases = cases();
+    let mut service = service(&gpu, &cases);
+    service.add_light(&lamp(DVec3::Y)).unwrap();
+    let view = view();
+    let far_away = BoundingBox { min: DVec3::new(-1.0, -1.0, -80.0), max: DVec3::new(1.0, 1.0, -70.0) };
+    let mut prepared = PreparedLights::new();
+    let mut state = |bounds: SceneBounds| {
+        service.prepare(&LightFrame { bounds, ..frame(&view, &[]) }, &mut prepared).unwrap();
+        prepared.report().lights[0].state.clone()
+    };
+    assert_eq!(state(SceneBounds::of(Some(far_away))), LightState::Unseen);
+    assert_eq!(state(SceneBounds::of(Some(far_away))), LightState::Unseen);
+    assert_eq!(state(SceneBounds::default()), LightState::Current);
 }

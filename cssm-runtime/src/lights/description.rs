@@ -129,17 +129,12 @@ impl<'a> LightFrame<'a> {
             dynamic_casters,
         }
     }
-
-    /// Whether anything is known that may differ in every frame.
-    pub(super) fn is_measured(&self) -> bool {
-        !self.volumes_world.is_empty() || self.near_hint_metres.is_some() || self.depth.is_some()
-    }
 }
 
 /// Choices of the engine for all lights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightOptions {
-    /// Mask format and material stages.
+    /// Mask format and material stages; casters of many lights are culled on the CPU, whatever it says.
     pub service: Options,
     /// Texels that may be redrawn in a frame for changes that can wait; what cannot wait is drawn in any case and counts
     /// first.

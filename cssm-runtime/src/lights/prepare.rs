@@ -10,7 +10,7 @@ use super::hold::{self, Motion, Need};
 use super::prepared::{PreparedLights, PreparedShadow};
 use super::report::{LightState, LightStatistics, TileStatistics};
 use super::scissor::scissor;
-use super::shadow::{Content, Fill, Held, Shadow, TileState, TileWork};
+use super::shadow::{Content, Fill, Held, Shadow, TileState, TileWork, is_measured};
 use super::{LightService, Scratch, ServedCase, ServedView};
 use crate::casters::CasterScene;
 use crate::commands::{FrameCommands, MeshFacts};
@@ -99,17 +99,20 @@ impl LightService {
         for served in lights.iter_mut().filter_map(|entry| entry.light.as_mut()) {
             let Some(index) = shadow_of(&mut served.shadows, frame) else { continue };
             let (shadow, description) = (&mut served.shadows[index], &served.description);
-            let asked = (*frame.view, description.light);
-            let is_known = !frame.is_measured() && shadow.unseen == Some(asked);
-            if shadow.place.is_some() || is_known {
+            if shadow.place.is_some() {
                 continue;
             }
             let Some(case) = cases.get(description.case.0 as usize) else { continue };
             let map = case.case.map;
             let side = SURVEY_SIDE.min(map.width).min(map.height);
             let region = MapRegion { x: 0, y: 0, width: side, height: side };
+            let request = request(&case.case, description, frame, Some(region));
+            let asked = (*frame.view, description.light, frame.bounds);
+            if !is_measured(&request) && shadow.unseen == Some(asked) {
+                continue;
+            }
             shadow.failure = None;
-            match request(&case.case, description, frame, Some(region)).plan() {
+            match request.plan() {
                 Ok(plan) => {
                     shadow.estimate(&plan, frame.view, side, description);
                     shadow.unseen = plan.facets.is_empty().then_some(asked);

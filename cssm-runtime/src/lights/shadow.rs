@@ -19,8 +19,8 @@ pub(super) struct Shadow {
     pub(super) reach: f64,
     /// Why there is no plan.
     pub(super) failure: Option<PlanError>,
-    /// The view and the light for which it was last found to reach nothing visible.
-    pub(super) unseen: Option<(View, Light)>,
+    /// The view, the light and the bounds for which it was last found to reach nothing visible.
+    pub(super) unseen: Option<(View, Light, SceneBounds)>,
 }
 
 /// A plan that outlives its frame, and what its tiles show.
@@ -102,6 +102,11 @@ impl Shadow {
     }
 }
 
+/// Whether a request knows of what is seen, which may differ in every frame.
+pub(super) fn is_measured(request: &PlanRequest) -> bool {
+    !request.volumes_world.is_empty() || request.near_hint_metres.is_some() || request.depth.is_some()
+}
+
 /// Multiples of the view's motion that are tried first.
 pub(super) const FARTHEST_REACH: f64 = 16.0;
 
@@ -129,10 +134,7 @@ impl Held {
     /// Whether it covers what a request sees, whatever the request's light.
     pub(super) fn covers(&mut self, request: &PlanRequest) -> bool {
         let asked = (*request.view, request.bounds);
-        let is_measured = !request.volumes_world.is_empty()
-            || request.near_hint_metres.is_some()
-            || request.depth.is_some();
-        if !is_measured && self.covered == Some(asked) {
+        if !is_measured(request) && self.covered == Some(asked) {
             return true;
         }
         let covers = self.plan.covers(&PlanRequest { light: &self.light, ..*request });

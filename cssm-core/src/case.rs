@@ -50,6 +50,8 @@ pub struct LightCase {
     pub dominant_plane: Option<DominantPlane>,
     /// What facets are fitted to beside the view.
     pub fit: Fit,
+    /// How texels are kept where they are while the camera moves.
+    pub stability: Stability,
     /// The map.
     pub map: MapSpec,
     /// How the map is filtered.
@@ -143,6 +145,37 @@ impl Fit {
     /// Whether the engine's depth is measured.
     pub const fn measures_depth(self) -> bool {
         matches!(self, Self::DepthMinMax | Self::Histogram)
+    }
+}
+
+/// How texels are kept where they are while the camera moves, so that shadows' edges do not flicker. All plans of a case
+/// are functions of their request alone: the same view has the same texels whatever was seen before.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Stability {
+    /// Every plan fits its view as well as it can.
+    #[default]
+    None,
+    /// Facets that are linear keep texels of one size on a lattice that is fixed in the world: whole texels come and go
+    /// at their edges. Facets that bend or converge are fitted as without.
+    Snapped,
+    /// Plans are made for the nearest of a lattice of views, wide enough for all views near it: between two of them
+    /// nothing in the map changes.
+    Quantised {
+        /// Pitch of the lattice of eyes, metres.
+        move_metres: f64,
+        /// Pitch of the lattice of orientations, degrees.
+        turn_degrees: f64,
+    },
+}
+
+impl Stability {
+    /// Name in declarations, tables and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Snapped => "snapped",
+            Self::Quantised { .. } => "quantised",
+        }
     }
 }
 

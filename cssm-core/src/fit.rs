@@ -25,6 +25,8 @@ mod profile;
 mod sweep;
 mod weigh;
 
+use std::cmp::Ordering;
+
 use glam::DVec3;
 
 pub use self::histogram::{BINS, DepthBin, DepthHistogram, SQUARE_PIXELS, WORDS, bin, bin_range_metres};
@@ -65,11 +67,65 @@ impl<'a> Seen<'a> {
     }
 }
 
+/// By what receivers were left out of a plan because nothing is seen of them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Cut {
+    /// All receivers of the view have a facet.
+    #[default]
+    None,
+    /// By where the engine says that receivers and casters are. What lies in these volumes has a facet wherever the plan's
+    /// view, with its margin, sees it.
+    Bounds(CutBounds),
+    /// By depth measured in the plan's own frame, which says nothing of others.
+    Depth,
+}
+
+/// Volumes that a plan was cut by.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CutBounds {
+    /// [`Seen::volumes_world`] in an order of their own.
+    receivers_world: Vec<BoundingBox>,
+    /// [`Seen::casters_world`].
+    casters_world: Option<BoundingBox>,
+}
+
+impl CutBounds {
+    fn of(seen: &Seen<'_>) -> Self {
+        let mut receivers_world = seen.volumes_world.to_vec();
+        receivers_world.sort_unstable_by(by_corners);
+        Self { receivers_world, casters_world: seen.casters_world }
+    }
+
+    /// Whether everything that other knowledge leaves lies in these volumes.
+    pub(crate) fn hold(&self, seen: &Seen<'_>) -> bool {
+        let known = |volume: &BoundingBox| {
+            self.receivers_world.binary_search_by(|known| by_corners(known, volume)).is_ok()
+        };
+        let receivers = self.receivers_world.is_empty()
+            || (!seen.volumes_world.is_empty() && seen.volumes_world.iter().all(known));
+        let casters = self.casters_world.is_none_or(|whole| {
+            let inside =
+                |part: BoundingBox| part.min.cmpge(whole.min).all() && part.max.cmple(whole.max).all();
+            seen.casters_world.is_some_and(inside)
+        });
+        receivers && casters
+    }
+}
+
+/// Some total order of boxes.
+fn by_corners(one: &BoundingBox, two: &BoundingBox) -> Ordering {
+    let corners = |volume: &BoundingBox| volume.min.to_array().into_iter().chain(volume.max.to_array());
+    let mut orders = corners(one).zip(corners(two)).map(|(one, two)| one.total_cmp(&two));
+    orders.find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
+}
+
 /// What planning knows of what is seen, camera space; by default nothing.
 #[derive(Debug, Default)]
 pub struct Sighted {
     /// Parts of the receivers that hold everything seen that may be in shadow, as far as it is known exactly.
     parts: Option<Vec<Polytope>>,
+    /// What the parts were found by.
+    cut: Cut,
     /// Places where pixels are; empty: nothing is known of them.
     points: Vec<DVec3>,
     /// How far the points are to be believed: the share of those measured that this frame's camera still sees.
@@ -90,7 +146,7 @@ impl Sighted {
         }
         let depth = seen.depth.filter(|depth| fit.measures_depth() && depth.is_usable());
         let depth = depth.map(|depth| if fit == Fit::Histogram { *depth } else { depth.range_alone() });
-        let parts = narrow::parts(view, light, receivers, seen, depth.as_ref())?;
+        let (parts, cut) = narrow::parts(view, light, receivers, seen, depth.as_ref())?;
         let (points, trust) = match (&parts, &depth) {
             (Some(parts), depth) => {
                 // A range of depths says nothing of how often each is seen.
@@ -100,12 +156,12 @@ impl Sighted {
             (None, Some(depth)) => points::measured(depth, view, receivers),
             (None, None) => (Vec::new(), 0.0),
         };
-        Ok(Self { parts, points, trust })
+        Ok(Self { parts, cut, points, trust })
     }
 
-    /// Whether receivers were left out because nothing is seen of them.
-    pub(crate) const fn is_cut(&self) -> bool {
-        self.parts.is_some()
+    /// What receivers were left out by.
+    pub(crate) const fn cut(&self) -> &Cut {
+        &self.cut
     }
 
     /// Places where pixels are, if anything is known of them.

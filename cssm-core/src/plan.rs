@@ -12,6 +12,7 @@ mod lit;
 mod make;
 mod region;
 mod request;
+mod snap;
 mod visible;
 mod window;
 

@@ -16,6 +16,8 @@ pub mod trapezoidal;
 mod warp;
 pub mod warp_family;
 
+pub(crate) use self::standard::light_plane_axes;
+
 use glam::{DVec2, DVec3, DVec4};
 
 use crate::case::{CaseError, LightCase, LightKind};

@@ -5,7 +5,10 @@
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
+mod lattice;
 mod widen;
+
+pub use self::lattice::ViewLattice;
 
 /// A perspective view.
 #[derive(Debug, Clone, Copy, PartialEq)]

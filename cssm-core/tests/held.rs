@@ -2,7 +2,7 @@
 
 mod support;
 
-use cssm_core::case::LightKind;
+use cssm_core::case::{Fit, LightKind};
 use cssm_core::glam::{DMat3, DQuat, DVec2, DVec3, DVec4};
 use cssm_core::plan::{BoundingBox, MapRegion, PlanRequest, ViewMargin};
 use cssm_core::receivers::Polytope;
@@ -381,6 +381,52 @@ fn another_light_region_or_scene_is_not_covered() {
     assert!(plan.covers(&PlanRequest { volumes_world: &near[..1], ..request }));
     assert!(!plan.covers(&PlanRequest { volumes_world: &far, ..request }));
     assert!(!plan.covers(&PlanRequest { volumes_world: &[], ..request }));
+}
+
+#[test]
+fn a_plan_cut_by_volumes_covers_views_nearby_that_see_no_others() {
+    let light = sun(toward(50.0, 40.0));
+    let view = level_view(0.2, 400.0);
+    let volume = |x: f64, z: f64| BoundingBox {
+        min: view.eye_world + DVec3::new(x, -2.0, z),
+        max: view.eye_world + DVec3::new(x + 3.0, -1.0, z + 3.0),
+    };
+    let known = [volume(0.0, -9.0), volume(-8.0, -30.0), volume(5.0, -60.0)];
+    let casters = BoundingBox { min: view.eye_world - 80.0, max: view.eye_world + 80.0 };
+    let mut random = Random::new(3);
+    for technique in ["camera_space", "parallel_split"] {
+        let case = LightCase::builder("Fitted").technique(Word::plain(technique)).fit(Fit::Bounds);
+        let case = case.shadow_distance_metres(300.0).map_size_texels(1024, 1024).build().unwrap();
+        let margin = ViewMargin { turn_radians: 0.05, move_metres: 0.5 };
+        let request = PlanRequest {
+            volumes_world: &known,
+            casters_world: Some(casters),
+            ..PlanRequest::new(&case, &view, &light, SceneBounds::default())
+        };
+        let held = PlanRequest { margin, ..request }.plan().unwrap();
+        for _ in 0..20 {
+            let inner = nearby(&view, &mut random, 0.05, 0.5);
+            let backwards = [known[2], known[0]];
+            let later = PlanRequest { view: &inner, volumes_world: &backwards, ..request };
+            assert!(held.covers(&later), "{technique}");
+
+            // Every corner of the volumes that the view sees has a facet, and lies in its tile.
+            let rebased = held.rebased(&inner);
+            for volume in &known {
+                let point = (volume.min + volume.max) * 0.5;
+                let (_, at) = seen(&rebased, point).unwrap();
+                assert!(at.x > 0.0 && at.y > 0.0 && at.x < 1024.0 && at.y < 1024.0, "{at}");
+            }
+        }
+        let others = [known[0], volume(1.0, -12.0)];
+        let wider = BoundingBox { max: casters.max + 1.0, ..casters };
+        let smaller = BoundingBox { max: casters.max - 1.0, ..casters };
+        assert!(!held.covers(&PlanRequest { volumes_world: &others, ..request }), "{technique}");
+        assert!(!held.covers(&PlanRequest { volumes_world: &[], ..request }), "{technique}");
+        assert!(!held.covers(&PlanRequest { casters_world: None, ..request }), "{technique}");
+        assert!(!held.covers(&PlanRequest { casters_world: Some(wider), ..request }), "{technique}");
+        assert!(held.covers(&PlanRequest { casters_world: Some(smaller), ..request }), "{technique}");
+    }
 }
 
 #[test]

@@ -31,6 +31,7 @@ pub(crate) fn text(case: &LightCase, table: &CaseTable) -> String {
             .dominant_plane
             .map(|plane| JsonDominantPlane { share: plane.share, thickness_metres: plane.thickness_metres }),
         fit: case.fit.name(),
+        stability: case.stability.name(),
         filter: case.filter.name(),
         bias: case.bias.name(),
         casters: case.casters.name(),
@@ -85,6 +86,7 @@ struct JsonCase<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     dominant_plane: Option<JsonDominantPlane>,
     fit: &'a str,
+    stability: &'a str,
     filter: &'a str,
     bias: &'a str,
     casters: &'a str,

@@ -2,7 +2,7 @@
 
 use super::{
     Axes, Bias, Casters, DepthFormat, DominantPlane, FarKind, Fit, LightCase, LightKind, MapSpec, MaskDepth,
-    MaskNormal, Resolve, Stretch,
+    MaskNormal, Resolve, Stability, Stretch,
 };
 use crate::schema::{Arguments, Value, Word};
 
@@ -32,6 +32,7 @@ impl LightCase {
             ("stretch", Some(Value::Word(self.stretch.word()))),
             ("dominant_plane", Some(Value::Word(DominantPlane::word(self.dominant_plane)))),
             ("fit", Some(Value::Word(Word::plain(self.fit.name())))),
+            ("stability", Some(Value::Word(self.stability.word()))),
             ("map", Some(Value::Group(map))),
             ("filter", Some(Value::Word(self.filter.word()))),
             ("bias", Some(Value::Word(self.bias.word()))),
@@ -114,6 +115,29 @@ impl Fit {
             Some("bounds") => Self::Bounds,
             Some("depth_min_max") => Self::DepthMinMax,
             Some("histogram") => Self::Histogram,
+            _ => Self::None,
+        }
+    }
+}
+
+impl Stability {
+    pub(super) fn word(self) -> Word {
+        match self {
+            Self::None | Self::Snapped => Word::plain(self.name()),
+            Self::Quantised { move_metres, turn_degrees } => Word::with(
+                self.name(),
+                [("move", Value::Number(move_metres)), ("turn", Value::Number(turn_degrees))],
+            ),
+        }
+    }
+
+    /// Reads a word whose defaults are filled in.
+    pub(super) fn of_word(word: Option<&Word>) -> Self {
+        let Some(word) = word else { return Self::None };
+        let number = |name: &str| word.arguments.number(name).unwrap_or(0.0);
+        match word.name {
+            "snapped" => Self::Snapped,
+            "quantised" => Self::Quantised { move_metres: number("move"), turn_degrees: number("turn") },
             _ => Self::None,
         }
     }

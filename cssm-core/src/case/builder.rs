@@ -2,7 +2,7 @@
 
 use super::{
     Axes, Bias, CaseError, Casters, DepthFormat, DominantPlane, FarKind, Filter, Fit, LightCase, LightKind,
-    Resolve, Stretch,
+    Resolve, Stability, Stretch,
 };
 use crate::schema::{Arguments, Value, Word};
 
@@ -93,6 +93,11 @@ impl LightCaseBuilder {
     /// What facets are fitted to beside the view.
     pub fn fit(self, fit: Fit) -> Self {
         self.set("fit", Value::Word(Word::plain(fit.name())))
+    }
+
+    /// How texels are kept where they are while the camera moves.
+    pub fn stability(self, stability: Stability) -> Self {
+        self.set("stability", Value::Word(stability.word()))
     }
 
     /// Size of the whole map in texels.

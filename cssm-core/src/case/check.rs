@@ -5,7 +5,7 @@ use super::filter::misplaced_extent;
 use super::names::{default_prefix, is_camel_case, is_prefix, upper_camel};
 use super::{
     Axes, Bias, CaseError, Casters, DominantPlane, FIELDS, FarKind, Filter, Fit, LightCase, LightKind,
-    MapSpec, MaskNormal, Resolve, Stretch,
+    MapSpec, MaskNormal, Resolve, Stability, Stretch,
 };
 use crate::distribution::{self, RemapKind};
 use crate::schema::{self, Arguments, Choice, Field, Kind, Value, Word};
@@ -147,6 +147,7 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
         stretch,
         dominant_plane: DominantPlane::of_word(arguments.word("dominant_plane")),
         fit: Fit::of_word(arguments.word("fit")),
+        stability: Stability::of_word(arguments.word("stability")),
         map: MapSpec::of_group(arguments.group("map")),
         filter: Filter::of_word(arguments.word("filter"), light),
         bias: Bias::of_word(arguments.word("bias")),

@@ -160,6 +160,36 @@ pub const FIELDS: &[Field] = &[
         default: Default::Value("none"),
     },
     Field {
+        name: "stability",
+        summary: "how texels are kept where they are while the camera moves",
+        kind: Kind::Choice(&[
+            Choice::plain("none", "every plan fits its view as well as it can"),
+            Choice::plain(
+                "snapped",
+                "linear facets keep texels of one size on a lattice that is fixed in the world",
+            ),
+            Choice {
+                name: "quantised",
+                summary: "plans are made for the nearest of a lattice of views, wide enough for all views near it",
+                arguments: &[
+                    Field {
+                        name: "move",
+                        summary: "pitch of the lattice of eyes",
+                        kind: Kind::Number { min: 0.0, max: 1e6, open: false, unit: Unit::Length },
+                        default: Default::Value("25 cm"),
+                    },
+                    Field {
+                        name: "turn",
+                        summary: "pitch of the lattice of orientations",
+                        kind: Kind::Number { min: 0.0, max: 45.0, open: false, unit: Unit::Degrees },
+                        default: Default::Value("0.5 deg"),
+                    },
+                ],
+            },
+        ]),
+        default: Default::Value("none"),
+    },
+    Field {
         name: "map",
         summary: "size, folding, format and gutters of the map",
         kind: Kind::Group(&[

@@ -2,7 +2,7 @@
 
 use glam::DVec4;
 
-use super::{DepthHistogram, Seen, sweep};
+use super::{Cut, CutBounds, DepthHistogram, Seen, sweep};
 use crate::facet::FacetRows;
 use crate::plan::{BoundingBox, PlanError};
 use crate::receivers::{Polytope, extremes, is_negligible};
@@ -18,14 +18,15 @@ const PIXEL_MARGIN: f64 = 1.0;
 /// How far a facet's window is moved out, relative to its size.
 const WINDOW_MARGIN: f64 = 1e-9;
 
-/// Parts of the receivers that hold everything seen that may be in shadow; nothing where no such thing is known.
+/// Parts of the receivers that hold everything seen that may be in shadow, and what they were cut by; nothing where no such
+/// thing is known.
 pub(super) fn parts(
     view: &View,
     light: DVec4,
     receivers: &Polytope,
     seen: &Seen<'_>,
     depth: Option<&DepthHistogram>,
-) -> Result<Option<Vec<Polytope>>, PlanError> {
+) -> Result<(Option<Vec<Polytope>>, Cut), PlanError> {
     // Leave out what no caster stands before.
     let mut shadowed = receivers.clone();
     if let Some(casters) = &seen.casters_world {
@@ -40,10 +41,13 @@ pub(super) fn parts(
 
     // Depth of this very frame is the tightest; then come volumes.
     if let Some(depth) = depth.filter(|depth| is_of(depth, view)) {
-        return Ok(Some(measured(depth, view, &shadowed)));
+        return Ok((Some(measured(depth, view, &shadowed)), Cut::Depth));
     }
     if seen.volumes_world.is_empty() {
-        return Ok(seen.casters_world.map(|_| vec![shadowed]));
+        return Ok(match seen.casters_world {
+            Some(_) => (Some(vec![shadowed]), Cut::Bounds(CutBounds::of(seen))),
+            None => (None, Cut::None),
+        });
     }
     let mut parts = Vec::with_capacity(seen.volumes_world.len());
     for volume in seen.volumes_world {
@@ -55,7 +59,7 @@ pub(super) fn parts(
             parts.push(part);
         }
     }
-    Ok(Some(parts))
+    Ok((Some(parts), Cut::Bounds(CutBounds::of(seen))))
 }
 
 fn checked(bounds: &BoundingBox, what: &'static str) -> Result<(), PlanError> {

@@ -4,7 +4,9 @@ use glam::DVec3;
 use smallvec::SmallVec;
 
 use super::PlanError;
+use super::snap;
 use super::window::{self, Windows};
+use crate::case::Stability;
 use crate::choose::Prediction;
 use crate::facet::Tile;
 use crate::layout::{self, MapArea, Spread, TileDemand};
@@ -41,6 +43,9 @@ pub(super) fn fit<'a>(
 ) -> Result<Fitted<'a>, PlanError> {
     let mut windows = window::fit(draft, situation, samples);
     let tiles = tiles(&mut windows, situation)?;
+    if situation.case.stability == Stability::Snapped {
+        snap::snap(&mut windows, &tiles, situation.view);
+    }
     let weighted = windows.list.iter().any(|window| window.weight != 1.0);
     let p95_pixels =
         if weighted { predicted_by_pixels(&windows, &tiles) } else { predicted(&windows, &tiles) };

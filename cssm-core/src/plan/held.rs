@@ -7,6 +7,7 @@ use super::make::shear;
 use super::visible::{self, Visible};
 use super::{PlanRequest, ShadowPlan};
 use crate::facet::{Facet, Tile};
+use crate::fit::Cut;
 use crate::homography::{Gradients, singular_values};
 use crate::light::Light;
 use crate::receivers::Polytope;
@@ -23,6 +24,8 @@ pub struct PlanBasis {
     /// Half-spaces (h.X >= 0, relative to the plan's eye, world axes) that together with `lit` hold the receivers with a
     /// facet.
     pub receivers: Vec<DVec4>,
+    /// By what receivers among them were left out.
+    pub cut: Cut,
     /// Half-spaces that hold everything within a local light's range and cone; none for a directional light.
     pub lit: Vec<DVec4>,
     /// Predicted 95th percentile of the texel footprint over sample receivers of the view that the plan was made for,
@@ -77,6 +80,14 @@ impl ShadowPlan {
             || map != self.map_size_texels
             || request.checked_region() != Ok(self.region)
         {
+            return false;
+        }
+        let is_known = match &self.basis.cut {
+            Cut::None => true,
+            Cut::Bounds(bounds) => bounds.hold(&request.seen()),
+            Cut::Depth => false,
+        };
+        if !is_known {
             return false;
         }
         let view = visible::shadowed(request);

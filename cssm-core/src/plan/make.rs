@@ -5,8 +5,8 @@ use glam::{DVec2, DVec4};
 use super::fitted::{self, Fitted};
 use super::held::PlanBasis;
 use super::visible::{self, Visible};
-use super::{DepthOrder, PlanError, PlanRequest, ShadowPlan, ViewMargin, dominant, finish, window};
-use crate::case::{LightCase, LightKind};
+use super::{DepthOrder, PlanError, PlanRequest, ShadowPlan, ViewMargin, dominant, finish, snap, window};
+use crate::case::{LightCase, LightKind, Stability};
 use crate::choose::{ChoiceReason, ConfigurationChoice, Kept, Prediction, choose, made_for};
 use crate::distribution;
 use crate::facet::{Facet, Selection};
@@ -14,7 +14,7 @@ use crate::fit::{self, Sighted};
 use crate::light::LightPosition;
 use crate::schema::Word;
 use crate::technique::{Draft, Situation};
-use crate::view::View;
+use crate::view::{View, ViewLattice};
 
 /// Makes the plan of a request, with a configuration to stay with.
 pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, PlanError> {
@@ -53,7 +53,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
             (tile.x, tile.y) = (tile.x + region.x, tile.y + region.y);
         }
         facets.sort_by_key(Facet::first_cell);
-        ShadowPlan {
+        let mut plan = ShadowPlan {
             configuration: choice.configuration,
             choice,
             eye_world: view.eye_world,
@@ -69,11 +69,17 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
                 follows_camera: spec.follows_camera,
                 lit: situation.receivers.planes[lit.clone()].iter().copied().map(row_to_world).collect(),
                 receivers: covered.into_iter().map(row_to_world).collect(),
+                cut: situation.sighted.cut().clone(),
                 p95_pixels,
             },
             selection: walk(selection, case, &row_to_world),
             facets,
+        };
+        if matches!(case.stability, Stability::Quantised { .. }) {
+            // The lattice decides texels, not what they are relative to.
+            plan.rebase(request.view);
         }
+        plan
     };
 
     // Nothing visible is nothing to draft.
@@ -102,7 +108,11 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     let dominant = plane.and_then(|plane| dominant::facet(&situation, plane));
     let draft = |word: &Word| (spec.configuration(word.name).draft)(&situation, word);
     let drafted = any(case.configurations.iter().map(draft))?.into_iter().flatten();
-    let whole = |draft: Draft| fit::narrowed(draft.with_dominant(dominant.as_ref()), &situation);
+    let whole = |draft: Draft| {
+        let draft =
+            if case.stability == Stability::Snapped { snap::aligned(draft, &situation) } else { draft };
+        fit::narrowed(draft.with_dominant(dominant.as_ref()), &situation)
+    };
     let drafts: Vec<Draft> = drafted.map(whole).collect();
     let samples = window::samples(&situation, &drafts);
     let mut fitted = any(drafts.iter().map(|draft| fitted::fit(draft, &situation, &samples)))?;
@@ -144,11 +154,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
         _ => &situation.receivers.planes,
     };
     let not_lit = planes.iter().enumerate().filter(|(index, _)| !lit.contains(index));
-    let covered = match situation.sighted.is_cut() {
-        // What is seen in other frames is not known: the plan covers no view but its own.
-        true => vec![-DVec4::W],
-        false => not_lit.map(|(_, plane)| *plane).collect(),
-    };
+    let covered = not_lit.map(|(_, plane)| *plane).collect();
     let choice = ConfigurationChoice {
         position,
         configuration: draft.configuration,
@@ -173,11 +179,18 @@ struct Made {
     p95_pixels: f64,
 }
 
-/// The view that a plan is made for: as far as shadows reach, with the request's margin.
+/// The view that a plan is made for: as far as shadows reach, with the request's margin, around the nearest view of the
+/// case's lattice where it has one.
 fn widened(request: &PlanRequest<'_>) -> Result<View, PlanError> {
-    let view = visible::shadowed(request);
-    let ViewMargin { turn_radians, move_metres } = request.margin;
-    if request.margin == ViewMargin::NONE || view.far_metres <= view.near_metres {
+    let mut view = visible::shadowed(request);
+    let ViewMargin { mut turn_radians, mut move_metres } = request.margin;
+    if let Stability::Quantised { move_metres: pitch_metres, turn_degrees } = request.case.stability {
+        let lattice = ViewLattice { pitch_metres, pitch_radians: turn_degrees.to_radians() };
+        view = lattice.nearest(&view);
+        turn_radians += lattice.farthest_turn_radians();
+        move_metres += lattice.farthest_move_metres();
+    }
+    if (turn_radians, move_metres) == (0.0, 0.0) || view.far_metres <= view.near_metres {
         return Ok(view);
     }
     view.widened(turn_radians, move_metres).map_err(PlanError::Margin)

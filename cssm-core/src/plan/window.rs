@@ -79,6 +79,21 @@ impl Windows<'_> {
         }
     }
 
+    /// Scales a window's clip space and then shifts it.
+    pub(super) fn moved(&mut self, index: usize, scale: DVec2, shift: DVec2) {
+        let window = &mut self.list[index];
+        let rows = &mut window.rows;
+        (rows.x, rows.y) = (rows.x * scale.x + rows.w * shift.x, rows.y * scale.y + rows.w * shift.y);
+        for corner in &mut window.outline {
+            *corner = *corner * scale + shift;
+        }
+        for Sample { gram, .. } in &mut self.samples[window.samples.clone()] {
+            gram.xx /= scale.x * scale.x;
+            gram.yy /= scale.y * scale.y;
+            gram.xy /= scale.x * scale.y;
+        }
+    }
+
     /// Gives more texels to windows with more pixels.
     fn share(&mut self, draft: &Draft, situation: &Situation<'_>, counts: &[usize]) {
         let texels = |sample: &Sample| (sample.gram.xx * sample.gram.yy).sqrt();

@@ -53,7 +53,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
 
 /// Rows of two orthonormal axes of the light plane (camera space): the second is the camera's y seen along the light,
 /// or the view direction where the light comes along y.
-pub(super) fn light_plane_axes(light: DVec4) -> (DVec4, DVec4) {
+pub(crate) fn light_plane_axes(light: DVec4) -> (DVec4, DVec4) {
     let toward = light.truncate();
     let up = [DVec3::Y, DVec3::NEG_Z].into_iter().find(|axis| axis.cross(toward).length_squared() > 1e-12);
     let x = up.unwrap_or(DVec3::X).cross(toward).normalize();

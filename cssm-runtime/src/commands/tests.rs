@@ -2,6 +2,7 @@
 
 use cssm_core::choose::{ChoiceReason, ConfigurationChoice};
 use cssm_core::facet::{Facet, FacetRows, Selection, Tile};
+use cssm_core::fit::Cut;
 use cssm_core::glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
 use cssm_core::light::LightPosition;
 use cssm_core::plan::{DepthOrder, MapRegion, PlanBasis};
@@ -80,6 +81,7 @@ fn plan(facets: Vec<Facet>) -> ShadowPlan {
             light: Light::Directional { toward_light_world: DVec3::Z },
             follows_camera: false,
             receivers: Vec::new(),
+            cut: Cut::None,
             lit: Vec::new(),
             p95_pixels: 1.0,
         },

@@ -1,4 +1,4 @@
-// Generated from light case `FourPlane`, 3eaadbb6452cd12b. Do not edit.
+// Generated from light case `FourPlane`, 61806feabaaf726a. Do not edit.
 
 /// The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 /// the light to ten metres. For light in, behind or just outside the view.
@@ -33,6 +33,7 @@ pub mod four_plane {
             stretch: Stretch::None,
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -205,7 +206,7 @@ pub mod four_plane {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("FourPlane"),
             prefix: Cow::Borrowed("four_plane"),
-            fingerprint: 0x3eaadbb6452cd12b,
+            fingerprint: 0x61806feabaaf726a,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -593,7 +594,7 @@ pub mod four_plane {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 3eaadbb6452cd12b. Do not edit.
+// Generated from light case `FourPlane`, 61806feabaaf726a. Do not edit.
 
 enable clip_distances;
 
@@ -677,7 +678,7 @@ fn four_plane_capture_vertex(vertex: FourPlaneCasterVertex) -> FourPlaneClippedC
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 3eaadbb6452cd12b. Do not edit.
+// Generated from light case `FourPlane`, 61806feabaaf726a. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct FourPlaneCapture {
@@ -787,7 +788,7 @@ fn four_plane_capture_clamped_fragment(caster: FourPlaneClampedCaster) -> @built
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 3eaadbb6452cd12b. Do not edit.
+// Generated from light case `FourPlane`, 61806feabaaf726a. Do not edit.
 
 /// Width and height of the map in texels.
 const FOUR_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1098,7 +1099,7 @@ fn four_plane_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0)
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's dueling case: four planes in one square that meet in the eye's own light ray, pushed along
 // the light to ten metres. For light in, behind or just outside the view.
-// Generated from light case `FourPlane`, 3eaadbb6452cd12b. Do not edit.
+// Generated from light case `FourPlane`, 61806feabaaf726a. Do not edit.
 
 /// Width and height of the map in texels.
 const FOUR_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

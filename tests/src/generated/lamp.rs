@@ -1,4 +1,4 @@
-// Generated from light case `Lamp`, cdec6f6b906f8959. Do not edit.
+// Generated from light case `Lamp`, 273e39c6164ee11e. Do not edit.
 
 /// A lamp that shines to all sides: face columns where it stands outside the view, a bipyramid of eight planes where it
 /// stands in or beside it, a cube where nothing else serves; every plan takes what promises the smallest footprint.
@@ -34,6 +34,7 @@ pub mod lamp {
             stretch: Stretch::None,
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -228,7 +229,7 @@ pub mod lamp {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Lamp"),
             prefix: Cow::Borrowed("lamp"),
-            fingerprint: 0xcdec6f6b906f8959,
+            fingerprint: 0x273e39c6164ee11e,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -674,7 +675,7 @@ pub mod lamp {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // A lamp that shines to all sides: face columns where it stands outside the view, a bipyramid of eight planes where it
 // stands in or beside it, a cube where nothing else serves; every plan takes what promises the smallest footprint.
-// Generated from light case `Lamp`, cdec6f6b906f8959. Do not edit.
+// Generated from light case `Lamp`, 273e39c6164ee11e. Do not edit.
 
 enable clip_distances;
 
@@ -758,7 +759,7 @@ fn lamp_capture_vertex(vertex: LampCasterVertex) -> LampClippedCaster {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // A lamp that shines to all sides: face columns where it stands outside the view, a bipyramid of eight planes where it
 // stands in or beside it, a cube where nothing else serves; every plan takes what promises the smallest footprint.
-// Generated from light case `Lamp`, cdec6f6b906f8959. Do not edit.
+// Generated from light case `Lamp`, 273e39c6164ee11e. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct LampCapture {
@@ -868,7 +869,7 @@ fn lamp_capture_clamped_fragment(caster: LampClampedCaster) -> @builtin(frag_dep
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // A lamp that shines to all sides: face columns where it stands outside the view, a bipyramid of eight planes where it
 // stands in or beside it, a cube where nothing else serves; every plan takes what promises the smallest footprint.
-// Generated from light case `Lamp`, cdec6f6b906f8959. Do not edit.
+// Generated from light case `Lamp`, 273e39c6164ee11e. Do not edit.
 
 /// Width and height of the map in texels.
 const LAMP_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1217,7 +1218,7 @@ fn lamp_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // A lamp that shines to all sides: face columns where it stands outside the view, a bipyramid of eight planes where it
 // stands in or beside it, a cube where nothing else serves; every plan takes what promises the smallest footprint.
-// Generated from light case `Lamp`, cdec6f6b906f8959. Do not edit.
+// Generated from light case `Lamp`, 273e39c6164ee11e. Do not edit.
 
 /// Width and height of the map in texels.
 const LAMP_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

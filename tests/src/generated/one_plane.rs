@@ -1,4 +1,4 @@
-// Generated from light case `OnePlane`, a20c376c0e2922fe. Do not edit.
+// Generated from light case `OnePlane`, bcad17a3142d1dd7. Do not edit.
 
 /// The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 /// metres. For light from outside the view; the other lights need `four_plane` beside it.
@@ -34,6 +34,7 @@ pub mod one_plane {
             stretch: Stretch::None,
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -198,7 +199,7 @@ pub mod one_plane {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("OnePlane"),
             prefix: Cow::Borrowed("one_plane"),
-            fingerprint: 0xa20c376c0e2922fe,
+            fingerprint: 0xbcad17a3142d1dd7,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -565,7 +566,7 @@ pub mod one_plane {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, a20c376c0e2922fe. Do not edit.
+// Generated from light case `OnePlane`, bcad17a3142d1dd7. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct OnePlaneCapture {
@@ -630,7 +631,7 @@ fn one_plane_capture_vertex(vertex: OnePlaneCasterVertex) -> @builtin(position) 
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, a20c376c0e2922fe. Do not edit.
+// Generated from light case `OnePlane`, bcad17a3142d1dd7. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct OnePlaneCapture {
@@ -722,7 +723,7 @@ fn one_plane_capture_clamped_fragment(caster: OnePlaneClampedCaster) -> @builtin
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, a20c376c0e2922fe. Do not edit.
+// Generated from light case `OnePlane`, bcad17a3142d1dd7. Do not edit.
 
 /// Width and height of the map in texels.
 const ONE_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -998,7 +999,7 @@ fn one_plane_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) 
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case: one plane, its eye pushed back until half of the rows lie within ten
 // metres. For light from outside the view; the other lights need `four_plane` beside it.
-// Generated from light case `OnePlane`, a20c376c0e2922fe. Do not edit.
+// Generated from light case `OnePlane`, bcad17a3142d1dd7. Do not edit.
 
 /// Width and height of the map in texels.
 const ONE_PLANE_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

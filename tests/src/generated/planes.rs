@@ -1,4 +1,4 @@
-// Generated from light case `Planes`, a127308477c8936c. Do not edit.
+// Generated from light case `Planes`, f580f15ac2a7262b. Do not edit.
 
 /// Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 /// smaller footprint, here with the bands that the paper does not have.
@@ -39,6 +39,7 @@ pub mod planes {
             stretch: Stretch::None,
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -221,7 +222,7 @@ pub mod planes {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Planes"),
             prefix: Cow::Borrowed("planes"),
-            fingerprint: 0xa127308477c8936c,
+            fingerprint: 0xf580f15ac2a7262b,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -635,7 +636,7 @@ pub mod planes {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, a127308477c8936c. Do not edit.
+// Generated from light case `Planes`, f580f15ac2a7262b. Do not edit.
 
 enable clip_distances;
 
@@ -719,7 +720,7 @@ fn planes_capture_vertex(vertex: PlanesCasterVertex) -> PlanesClippedCaster {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, a127308477c8936c. Do not edit.
+// Generated from light case `Planes`, f580f15ac2a7262b. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PlanesCapture {
@@ -829,7 +830,7 @@ fn planes_capture_clamped_fragment(caster: PlanesClampedCaster) -> @builtin(frag
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, a127308477c8936c. Do not edit.
+// Generated from light case `Planes`, f580f15ac2a7262b. Do not edit.
 
 /// Width and height of the map in texels.
 const PLANES_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1156,7 +1157,7 @@ fn planes_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Both cases of the camera space paper behind one shader: every plan takes four planes or one, whichever promises the
 // smaller footprint, here with the bands that the paper does not have.
-// Generated from light case `Planes`, a127308477c8936c. Do not edit.
+// Generated from light case `Planes`, f580f15ac2a7262b. Do not edit.
 
 /// Width and height of the map in texels.
 const PLANES_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `Pssm4Log`, 1bcc66114d6d23a3. Do not edit.
+// Generated from light case `Pssm4Log`, e24416ad21989150. Do not edit.
 
 /// Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 /// measure that other cases are compared with at equal texels.
@@ -32,6 +32,7 @@ pub mod pssm_log {
             stretch: Stretch::None,
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -198,7 +199,7 @@ pub mod pssm_log {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Pssm4Log"),
             prefix: Cow::Borrowed("pssm_log"),
-            fingerprint: 0x1bcc66114d6d23a3,
+            fingerprint: 0xe24416ad21989150,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -575,7 +576,7 @@ pub mod pssm_log {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 1bcc66114d6d23a3. Do not edit.
+// Generated from light case `Pssm4Log`, e24416ad21989150. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmLogCapture {
@@ -640,7 +641,7 @@ fn pssm_log_capture_vertex(vertex: PssmLogCasterVertex) -> @builtin(position) ve
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 1bcc66114d6d23a3. Do not edit.
+// Generated from light case `Pssm4Log`, e24416ad21989150. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmLogCapture {
@@ -732,7 +733,7 @@ fn pssm_log_capture_clamped_fragment(caster: PssmLogClampedCaster) -> @builtin(f
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 1bcc66114d6d23a3. Do not edit.
+// Generated from light case `Pssm4Log`, e24416ad21989150. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1011,7 +1012,7 @@ fn pssm_log_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) v
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at logarithmic limits up to a kilometre: the customary technique at its best, and the
 // measure that other cases are compared with at equal texels.
-// Generated from light case `Pssm4Log`, 1bcc66114d6d23a3. Do not edit.
+// Generated from light case `Pssm4Log`, e24416ad21989150. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

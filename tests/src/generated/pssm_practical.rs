@@ -1,4 +1,4 @@
-// Generated from light case `Pssm4Practical`, 0d8893cdbc4ee604. Do not edit.
+// Generated from light case `Pssm4Practical`, de2aac77654c77bb. Do not edit.
 
 /// Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 /// engines have them.
@@ -37,6 +37,7 @@ pub mod pssm_practical {
             stretch: Stretch::None,
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -203,7 +204,7 @@ pub mod pssm_practical {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Pssm4Practical"),
             prefix: Cow::Borrowed("pssm_practical"),
-            fingerprint: 0x0d8893cdbc4ee604,
+            fingerprint: 0xde2aac77654c77bb,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -580,7 +581,7 @@ pub mod pssm_practical {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 0d8893cdbc4ee604. Do not edit.
+// Generated from light case `Pssm4Practical`, de2aac77654c77bb. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmPracticalCapture {
@@ -645,7 +646,7 @@ fn pssm_practical_capture_vertex(vertex: PssmPracticalCasterVertex) -> @builtin(
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 0d8893cdbc4ee604. Do not edit.
+// Generated from light case `Pssm4Practical`, de2aac77654c77bb. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct PssmPracticalCapture {
@@ -737,7 +738,7 @@ fn pssm_practical_capture_clamped_fragment(caster: PssmPracticalClampedCaster) -
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 0d8893cdbc4ee604. Do not edit.
+// Generated from light case `Pssm4Practical`, de2aac77654c77bb. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_PRACTICAL_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1016,7 +1017,7 @@ fn pssm_practical_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @locatio
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Four parallel splits at practical limits up to a kilometre: halfway between logarithmic and uniform, as most
 // engines have them.
-// Generated from light case `Pssm4Practical`, 0d8893cdbc4ee604. Do not edit.
+// Generated from light case `Pssm4Practical`, de2aac77654c77bb. Do not edit.
 
 /// Width and height of the map in texels.
 const PSSM_PRACTICAL_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `Spot`, a0547ddc959ba0c0. Do not edit.
+// Generated from light case `Spot`, 5dc39be0b4ab13fd. Do not edit.
 
 /// A spot light: the light's own projection where its cone fits, else what serves a lamp, cut by the cone.
 ///
@@ -34,6 +34,7 @@ pub mod spot {
             stretch: Stretch::None,
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -228,7 +229,7 @@ pub mod spot {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Spot"),
             prefix: Cow::Borrowed("spot"),
-            fingerprint: 0xa0547ddc959ba0c0,
+            fingerprint: 0x5dc39be0b4ab13fd,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -673,7 +674,7 @@ pub mod spot {
     pub const CAPTURE_WGSL: &str = r#"// Spot: renders casters into one facet of the shadow map; needs unclipped depth and clip distances.
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // A spot light: the light's own projection where its cone fits, else what serves a lamp, cut by the cone.
-// Generated from light case `Spot`, a0547ddc959ba0c0. Do not edit.
+// Generated from light case `Spot`, 5dc39be0b4ab13fd. Do not edit.
 
 enable clip_distances;
 
@@ -756,7 +757,7 @@ fn spot_capture_vertex(vertex: SpotCasterVertex) -> SpotClippedCaster {
     pub const CAPTURE_CLAMPED_WGSL: &str = r#"// Spot: renders casters into one facet of the shadow map; clamps depth and cuts by itself.
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // A spot light: the light's own projection where its cone fits, else what serves a lamp, cut by the cone.
-// Generated from light case `Spot`, a0547ddc959ba0c0. Do not edit.
+// Generated from light case `Spot`, 5dc39be0b4ab13fd. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SpotCapture {
@@ -865,7 +866,7 @@ fn spot_capture_clamped_fragment(caster: SpotClampedCaster) -> @builtin(frag_dep
     pub const MASK_WGSL: &str = r#"// Spot: turns the view's depth into a visibility mask.
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // A spot light: the light's own projection where its cone fits, else what serves a lamp, cut by the cone.
-// Generated from light case `Spot`, a0547ddc959ba0c0. Do not edit.
+// Generated from light case `Spot`, 5dc39be0b4ab13fd. Do not edit.
 
 /// Width and height of the map in texels.
 const SPOT_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1213,7 +1214,7 @@ fn spot_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<
     pub const FUNCTION_WGSL: &str = r#"// Spot: visibility of a point, for the engine's own materials.
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // A spot light: the light's own projection where its cone fits, else what serves a lamp, cut by the cone.
-// Generated from light case `Spot`, a0547ddc959ba0c0. Do not edit.
+// Generated from light case `Spot`, 5dc39be0b4ab13fd. Do not edit.
 
 /// Width and height of the map in texels.
 const SPOT_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

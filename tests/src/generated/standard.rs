@@ -1,4 +1,4 @@
-// Generated from light case `Standard`, aa438b9d319a139d. Do not edit.
+// Generated from light case `Standard`, 53709f1aa27da404. Do not edit.
 
 /// One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 /// as the lower bound that other cases are compared with.
@@ -25,6 +25,7 @@ pub mod standard {
             stretch: Stretch::None,
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -181,7 +182,7 @@ pub mod standard {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Standard"),
             prefix: Cow::Borrowed("standard"),
-            fingerprint: 0xaa438b9d319a139d,
+            fingerprint: 0x53709f1aa27da404,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -532,7 +533,7 @@ pub mod standard {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, aa438b9d319a139d. Do not edit.
+// Generated from light case `Standard`, 53709f1aa27da404. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct StandardCapture {
@@ -597,7 +598,7 @@ fn standard_capture_vertex(vertex: StandardCasterVertex) -> @builtin(position) v
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, aa438b9d319a139d. Do not edit.
+// Generated from light case `Standard`, 53709f1aa27da404. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct StandardCapture {
@@ -689,7 +690,7 @@ fn standard_capture_clamped_fragment(caster: StandardClampedCaster) -> @builtin(
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, aa438b9d319a139d. Do not edit.
+// Generated from light case `Standard`, 53709f1aa27da404. Do not edit.
 
 /// Width and height of the map in texels.
 const STANDARD_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -944,7 +945,7 @@ fn standard_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) v
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // One uniform map fitted to the receivers of the first kilometre: the plainest technique, for small scenes and
 // as the lower bound that other cases are compared with.
-// Generated from light case `Standard`, aa438b9d319a139d. Do not edit.
+// Generated from light case `Standard`, 53709f1aa27da404. Do not edit.
 
 /// Width and height of the map in texels.
 const STANDARD_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

@@ -1,4 +1,4 @@
-// Generated from light case `Sun`, 3e7ec0df5967c529. Do not edit.
+// Generated from light case `Sun`, 2f856efd3d167b08. Do not edit.
 
 /// Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 /// shadow distance and texels stay the same size on the screen, near and far.
@@ -30,6 +30,7 @@ pub mod sun {
             stretch: Stretch::None,
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -209,7 +210,7 @@ pub mod sun {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("Sun"),
             prefix: Cow::Borrowed("sun"),
-            fingerprint: 0x3e7ec0df5967c529,
+            fingerprint: 0x2f856efd3d167b08,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -615,7 +616,7 @@ pub mod sun {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 3e7ec0df5967c529. Do not edit.
+// Generated from light case `Sun`, 2f856efd3d167b08. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SunCapture {
@@ -680,7 +681,7 @@ fn sun_capture_vertex(vertex: SunCasterVertex) -> @builtin(position) vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 3e7ec0df5967c529. Do not edit.
+// Generated from light case `Sun`, 2f856efd3d167b08. Do not edit.
 
 /// What capturing needs of one facet, in the capture's axes: its matrix, row by row.
 struct SunCapture {
@@ -772,7 +773,7 @@ fn sun_capture_clamped_fragment(caster: SunClampedCaster) -> @builtin(frag_depth
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 3e7ec0df5967c529. Do not edit.
+// Generated from light case `Sun`, 2f856efd3d167b08. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -1099,7 +1100,7 @@ fn sun_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<f
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world: face columns of eight bands follow the viewing camera to infinity, so shadows need no
 // shadow distance and texels stay the same size on the screen, near and far.
-// Generated from light case `Sun`, 3e7ec0df5967c529. Do not edit.
+// Generated from light case `Sun`, 2f856efd3d167b08. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

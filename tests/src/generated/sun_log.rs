@@ -1,4 +1,4 @@
-// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
+// Generated from light case `SunLog`, ed72eb4d5233de5a. Do not edit.
 
 /// Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 /// span many rows decided pixel by pixel.
@@ -32,6 +32,7 @@ pub mod sun_log {
             },
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -227,7 +228,7 @@ pub mod sun_log {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("SunLog"),
             prefix: Cow::Borrowed("sun_log"),
-            fingerprint: 0x3659ba3045f20f01,
+            fingerprint: 0xed72eb4d5233de5a,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -769,7 +770,7 @@ pub mod sun_log {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
+// Generated from light case `SunLog`, ed72eb4d5233de5a. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_LOG_STRETCH_BOUND: f32 = 0.25;
@@ -1021,7 +1022,7 @@ fn sun_log_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
+// Generated from light case `SunLog`, ed72eb4d5233de5a. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_LOG_STRETCH_BOUND: f32 = 0.25;
@@ -1300,7 +1301,7 @@ fn sun_log_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
+// Generated from light case `SunLog`, ed72eb4d5233de5a. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_LOG_STRETCH_BOUND: f32 = 0.25;
@@ -1909,7 +1910,7 @@ fn sun_log_capture_bent_fragment(caster: SunLogBentCaster) -> @builtin(frag_dept
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
+// Generated from light case `SunLog`, ed72eb4d5233de5a. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -2261,7 +2262,7 @@ fn sun_log_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) ve
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // Sun over an open world without a step: face columns whose rows run with the logarithm of distance, casters that
 // span many rows decided pixel by pixel.
-// Generated from light case `SunLog`, 3659ba3045f20f01. Do not edit.
+// Generated from light case `SunLog`, ed72eb4d5233de5a. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_LOG_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

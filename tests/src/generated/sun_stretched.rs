@@ -1,4 +1,4 @@
-// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
+// Generated from light case `SunStretched`, 4f2e487651d51e17. Do not edit.
 
 /// The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 /// bent until half of them lie within ten metres. For light from outside the view.
@@ -36,6 +36,7 @@ pub mod sun_stretched {
             },
             dominant_plane: None,
             fit: Fit::None,
+            stability: Stability::None,
             map: MapSpec {
                 width: 2048,
                 height: 2048,
@@ -216,7 +217,7 @@ pub mod sun_stretched {
         pub(super) const TABLE: CaseTable = CaseTable {
             case: Cow::Borrowed("SunStretched"),
             prefix: Cow::Borrowed("sun_stretched"),
-            fingerprint: 0xa965eebdbeb8511a,
+            fingerprint: 0x4f2e487651d51e17,
             map_width: 2048,
             map_height: 2048,
             map_format: DepthFormat::Depth32Float,
@@ -719,7 +720,7 @@ pub mod sun_stretched {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
+// Generated from light case `SunStretched`, 4f2e487651d51e17. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_STRETCHED_STRETCH_BOUND: f32 = 0.25;
@@ -962,7 +963,7 @@ fn sun_stretched_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
+// Generated from light case `SunStretched`, 4f2e487651d51e17. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_STRETCHED_STRETCH_BOUND: f32 = 0.25;
@@ -1232,7 +1233,7 @@ fn sun_stretched_tile_position(position: vec4<f32>) -> vec4<f32> {
 // Positions are relative to the eye, in the capture's axes: the camera's (x right, y up, looking along -z), sheared as the plan says.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
+// Generated from light case `SunStretched`, 4f2e487651d51e17. Do not edit.
 
 /// Texels along the rows that edges of casters may be off.
 const SUN_STRETCHED_STRETCH_BOUND: f32 = 0.25;
@@ -1830,7 +1831,7 @@ fn sun_stretched_capture_bent_fragment(caster: SunStretchedBentCaster) -> @built
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
+// Generated from light case `SunStretched`, 4f2e487651d51e17. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_STRETCHED_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);
@@ -2129,7 +2130,7 @@ fn sun_stretched_mask_fragment(@builtin(position) pixel: vec4<f32>) -> @location
 // Positions and normals are relative to the eye, in camera axes: x right, y up, looking along -z.
 // The camera space paper's general case with its pixel stretching: one plane as wide as the view everywhere, its rows
 // bent until half of them lie within ten metres. For light from outside the view.
-// Generated from light case `SunStretched`, a965eebdbeb8511a. Do not edit.
+// Generated from light case `SunStretched`, 4f2e487651d51e17. Do not edit.
 
 /// Width and height of the map in texels.
 const SUN_STRETCHED_MAP_SIZE: vec2<f32> = vec2<f32>(2048.0, 2048.0);

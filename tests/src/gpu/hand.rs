@@ -3,6 +3,7 @@
 use cssm_core::case::{Bias, DepthFormat, Filter, LightCase, MaskDepth, MaskNormal, Resolve};
 use cssm_core::choose::{ChoiceReason, ConfigurationChoice};
 use cssm_core::facet::{Facet, FacetRows, Selection, Tile};
+use cssm_core::fit::Cut;
 use cssm_core::glam::{DVec2, DVec3, DVec4};
 use cssm_core::light::LightPosition;
 use cssm_core::plan::{DepthOrder, MapRegion, PlanBasis};
@@ -93,6 +94,7 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
             light: Light::Directional { toward_light_world: DVec3::Y },
             follows_camera: false,
             receivers: Vec::new(),
+            cut: Cut::None,
             lit: Vec::new(),
             p95_pixels: 1.0,
         },

@@ -1,7 +1,7 @@
 //! The declaration as a Rust value: what was checked when the module was generated needs no check when it runs.
 
 use cssm_core::LightCase;
-use cssm_core::case::{Bias, DominantPlane, Filter, Kernel, MapSpec, Resolve, Source};
+use cssm_core::case::{Bias, DominantPlane, Filter, Kernel, MapSpec, Resolve, Source, Stability};
 use cssm_core::schema::{Arguments, Value, Word};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -26,6 +26,7 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
         stretch,
         dominant_plane,
         fit,
+        stability,
         map,
         filter,
         bias,
@@ -44,6 +45,7 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
     let stretch = stretch_value(*stretch);
     let dominant_plane = option(dominant_plane.map(dominant_value));
     let fit = variant("Fit", fit);
+    let stability = stability_value(stability);
     let map = map_spec(map);
     let filter = filter_value(filter);
     let bias = bias_value(bias);
@@ -68,6 +70,7 @@ pub(super) fn function(case: &LightCase, crate_path: &syn::Path) -> TokenStream 
                 stretch: #stretch,
                 dominant_plane: #dominant_plane,
                 fit: #fit,
+                stability: #stability,
                 map: #map,
                 filter: #filter,
                 bias: #bias,
@@ -91,6 +94,16 @@ fn map_spec(map: &MapSpec) -> TokenStream {
 fn dominant_value(plane: DominantPlane) -> TokenStream {
     let (share, thickness_metres) = (real(plane.share), real(plane.thickness_metres));
     quote!(DominantPlane { share: #share, thickness_metres: #thickness_metres })
+}
+
+fn stability_value(stability: &Stability) -> TokenStream {
+    match *stability {
+        Stability::Quantised { move_metres, turn_degrees } => {
+            let (move_metres, turn_degrees) = (real(move_metres), real(turn_degrees));
+            quote!(Stability::Quantised { move_metres: #move_metres, turn_degrees: #turn_degrees })
+        }
+        Stability::None | Stability::Snapped => variant("Stability", stability),
+    }
 }
 
 fn filter_value(filter: &Filter) -> TokenStream {

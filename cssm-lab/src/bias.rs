@@ -61,6 +61,10 @@ pub struct BiasFinding {
     pub displacement_footprints: f64,
     /// Number of true edge pixels.
     pub true_edge_pixels: u64,
+    /// The percentile over edges with no crease within a footprint, behind which the map's edge might lie unseen.
+    pub open_displacement_footprints: f64,
+    /// Number of those edge pixels.
+    pub open_edge_pixels: u64,
     /// Share of light-facing pixels away from edges and creases that shadow themselves.
     pub acne: f64,
     /// The same number of pixels.
@@ -143,6 +147,8 @@ fn find(
         azimuth_degrees,
         displacement_footprints: edge_displacement.true_to_map.footprints.p95,
         true_edge_pixels,
+        open_displacement_footprints: edge_displacement.open.footprints.p95,
+        open_edge_pixels: edge_displacement.open.count,
         acne: acne.interior,
         acne_pixels: (acne.interior * facing_pixels as f64).round() as u64,
         shallow_pixels: shallow.pixels,
@@ -153,19 +159,21 @@ fn find(
 
 fn markdown(findings: &[BiasFinding]) -> String {
     let mut text = String::from(
-        "| scene | light from | elevation | displacement p95, footprints | edge pixels | acne, pixels | 1 to 3 degrees: pixels | acne | interior | |\n\
-         |---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n",
+        "| scene | light from | elevation | displacement p95, footprints | edge pixels | away from creases | edge pixels | acne, pixels | 1 to 3 degrees: pixels | acne | interior | |\n\
+         |---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---|\n",
     );
     for found in findings {
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {:.2} | {} | {} | {} | {:.4} | {:.4} | {} |",
+            "| {} | {} | {} | {:.2} | {} | {:.2} | {} | {} | {} | {:.4} | {:.4} | {} |",
             found.scene,
             found.azimuth_degrees,
             found.elevation_degrees,
             found.displacement_footprints,
             found.true_edge_pixels,
+            found.open_displacement_footprints,
+            found.open_edge_pixels,
             found.acne_pixels,
             found.shallow_pixels,
             found.shallow_acne,

@@ -16,6 +16,7 @@ use crate::lights::{self, LightsArguments};
 use crate::measure::command::{self as measure, MeasureArguments};
 use crate::progress::Progress;
 use crate::render::{self, RenderArguments};
+use crate::stability::{self, StabilityArguments};
 use crate::tune::{self, TuneArguments};
 
 /// Sees and proves shadow maps: scenes, ray-cast truth, scores, pictures.
@@ -41,6 +42,7 @@ enum Command {
     Figures(FiguresArguments),
     Lights(LightsArguments),
     Bias(BiasArguments),
+    Stability(StabilityArguments),
     Measure(Box<MeasureArguments>),
 }
 
@@ -73,6 +75,7 @@ fn run_command(line: &CommandLine) -> Result<String, LabError> {
         Command::Catalogue(arguments) => catalogue_sheet::run(arguments, progress),
         Command::Figures(arguments) => figures::run(arguments, progress),
         Command::Bias(arguments) => bias::run(arguments, progress),
+        Command::Stability(arguments) => stability::run(arguments, progress),
         Command::Lights(arguments) => lights::run(arguments, progress),
         Command::Extremes(arguments) => extremes::run(arguments, progress),
         Command::Measure(arguments) => measure::run(arguments, progress),

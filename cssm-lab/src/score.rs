@@ -146,8 +146,8 @@ pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
         &to_true_edge,
         &true_edges,
         &distance::transform(&map_edges),
+        &to_crease,
         judged.footprints,
-        lattice,
     );
     let boundaries = Marks::boundaries(frame, lattice, judged.facets);
     let seam = Seam::along(&boundaries, &true_edges, &map_edges, judged.footprints, &verdicts, lattice);

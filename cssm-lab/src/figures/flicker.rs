@@ -1,7 +1,6 @@
 //! Flicker in a forest in the wind: how many shadows flip between frames of a slow camera although nothing they depend on
 //! did.
 
-use cssm_core::glam::DVec3;
 use cssm_core::technique::TECHNIQUES;
 use cssm_core::{Light, LightCase, View};
 use plotters::prelude::*;
@@ -12,6 +11,7 @@ use super::canvas::{Canvas, LINES, PAPER, PEN, paint};
 use super::cases::case;
 use super::wind::{blown, sways};
 use super::{Figure, FigureOptions, drawn};
+use crate::creep::Creep;
 use crate::error::LabError;
 use crate::picture::Picture;
 use crate::scene::Scene;
@@ -26,15 +26,9 @@ const SIDE_TEXELS: u32 = 2048;
 const DISTANCE: f64 = 1000.0;
 /// Steps of each motion.
 const STEPS: u32 = 3;
-/// A step sideways, metres, and a turn, degrees: less than a texel.
-const STEP_METRES: f64 = 0.01;
-const TURN_DEGREES: f64 = 0.05;
 
 /// Distance between lines of a name.
 const LINE_PIXELS: usize = 16;
-
-/// How the camera moves.
-const MOTIONS: [&str; 2] = ["1 cm a frame", "0.05 degrees a frame"];
 
 /// Shares of pixels that flip.
 #[derive(Debug, Clone, Serialize)]
@@ -75,9 +69,9 @@ pub fn figure(options: &FigureOptions) -> Result<Figure, LabError> {
     let frames: Vec<Scene> = (0..=steps).map(|frame| blown(&scene, frame)).collect();
     let tracers: Vec<Tracer> = frames.par_iter().map(Tracer::new).collect();
     let mut pairs = Vec::new();
-    for motion in 0..MOTIONS.len() {
+    for (motion, creep) in Creep::ALL.into_iter().enumerate() {
         for step in 0..steps as usize {
-            let eyes = [moved(&view, motion, step as f64), moved(&view, motion, step as f64 + 1.0)];
+            let eyes = [creep.moved(&view, step as u32), creep.moved(&view, step as u32 + 1)];
             pairs.push(pair(
                 [&frames[step], &frames[step + 1]],
                 [&tracers[step], &tracers[step + 1]],
@@ -113,18 +107,6 @@ pub fn figure(options: &FigureOptions) -> Result<Figure, LabError> {
 fn variants() -> Result<Vec<(String, LightCase)>, LabError> {
     let all = TECHNIQUES.iter().flat_map(|spec| spec.variants);
     all.map(|variant| Ok(((*variant).to_owned(), case(variant, "", SIDE_TEXELS, DISTANCE)?))).collect()
-}
-
-/// The view after so many steps of a motion.
-fn moved(view: &View, motion: usize, steps: f64) -> View {
-    let mut view = *view;
-    if motion == 0 {
-        view.eye_world += view.camera_from_world.transpose() * DVec3::X * (STEP_METRES * steps);
-    } else {
-        let turn = cssm_core::glam::DMat3::from_rotation_y((TURN_DEGREES * steps).to_radians());
-        view.camera_from_world *= turn;
-    }
-    view
 }
 
 fn pair<'a>(

@@ -4,16 +4,17 @@ use cssm_core::case::Stretch;
 use std::collections::{BTreeMap, BTreeSet};
 
 use cssm_core::glam::DVec3;
-use cssm_core::{BoundingBox, LightCase, SceneBounds, View};
+use cssm_core::{BoundingBox, LightCase, SceneBounds};
 use indicatif::ProgressBar;
 
-use super::paths::{MOTIONS, Motion, Station, ViewPath};
+use super::paths::{Station, ViewPath};
+use crate::creep::{Creep, carried};
 use crate::error::LabError;
 use crate::gpu::{Gpu, SceneBuffers, Surface};
 use crate::progress::Progress;
 use crate::scene::Scene;
 use crate::sight::{Sight, StageOptions};
-use crate::truth::{Frame, Tracer};
+use crate::truth::Tracer;
 
 /// What draws the maps that are judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -173,9 +174,9 @@ impl<'a> Bench<'a> {
         for (index, station) in path.stations.iter().enumerate() {
             let mut sight = Sight::trace(self.scene, tracer, station.view, station.light, hidden)?;
             sight.visible_world = visible(&sight, instances, options.receivers);
-            let motions: &[Motion] = if options.flicker && index == 0 { &MOTIONS } else { &[] };
-            let next = motions.iter().map(|motion| {
-                let sight = self.next_sight(station, &sight, *motion);
+            let creeps: &[Creep] = if options.flicker && index == 0 { &Creep::ALL } else { &[] };
+            let next = creeps.iter().map(|creep| {
+                let sight = self.next_sight(station, &sight, *creep);
                 Ok::<_, LabError>(NextFrame { surface: self.upload(&sight)?, sight })
             });
             let next = next.collect::<Result<_, _>>()?;
@@ -190,19 +191,11 @@ impl<'a> Bench<'a> {
         Ok(self.device.as_ref().map(surface).transpose()?)
     }
 
-    fn next_sight(&self, station: &Station, sight: &Sight<'_>, motion: Motion) -> Sight<'a> {
-        let Station { view, light } = station.moved(motion);
-        let shift = station.view.eye_world - view.eye_world;
-        let frame = &sight.frame;
-        let pixels = frame.pixels.iter().map(|pixel| {
-            let mut pixel = (*pixel)?;
-            pixel.position += shift;
-            pixel.depth = view.depth_metres(pixel.position);
-            sees(&view, pixel.position).then_some(pixel)
-        });
-        let frame = Frame { width: frame.width, height: frame.height, pixels: pixels.collect() };
+    fn next_sight(&self, station: &Station, sight: &Sight<'_>, creep: Creep) -> Sight<'a> {
+        let view = creep.moved(&station.view, 1);
+        let frame = carried(&sight.frame, &station.view, &view);
         let visible_world = sight.visible_world.clone();
-        Sight { visible_world, ..Sight::of_frame(self.scene, view, light, frame) }
+        Sight { visible_world, ..Sight::of_frame(self.scene, view, station.light, frame) }
     }
 }
 
@@ -224,15 +217,6 @@ fn visible(
 
 fn union(one: BoundingBox, two: &BoundingBox) -> BoundingBox {
     BoundingBox { min: one.min.min(two.min), max: one.max.max(two.max) }
-}
-
-/// Whether a point relative to the eye lies within a view.
-fn sees(view: &View, point: DVec3) -> bool {
-    let camera = view.camera_from_world * point;
-    let depth = -camera.z;
-    (view.near_metres..=view.far_metres).contains(&depth)
-        && (view.left * depth..=view.right * depth).contains(&camera.x)
-        && (view.bottom * depth..=view.top * depth).contains(&camera.y)
 }
 
 impl TriangleBoxes {

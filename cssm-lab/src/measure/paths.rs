@@ -1,7 +1,7 @@
 //! View paths: where a scene is looked at from, and under which light, when techniques are compared.
 //!
 //! A path is a handful of stations. Errors are judged at the stations; flicker is judged between a station and the next
-//! frame of a slow camera ([`Station::moved`]). [`builtin`] derives paths from a scene's own views and its ground;
+//! frame of a slow camera ([`crate::creep::Creep`]). [`builtin`] derives paths from a scene's own views and its ground;
 //! [`unseen`] walks the same paths at other stations, for promises that must hold where nothing was tuned;
 //! [`from_file`] reads paths of the user's own.
 
@@ -12,9 +12,7 @@ mod orbit;
 
 pub use file::{PathFileError, from_file};
 
-use cssm_core::glam::{DMat3, DVec3};
 use cssm_core::{Light, View};
-use serde::Serialize;
 
 use crate::error::LabError;
 use crate::scene::Scene;
@@ -41,23 +39,6 @@ pub struct Station {
     pub light: Light,
 }
 
-/// How the camera moves from one frame to the next, by less than a texel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Motion {
-    /// One centimetre, ahead and to the right.
-    Step,
-    /// A twentieth of a degree to the right, about the camera's own up axis.
-    Turn,
-}
-
-/// All motions.
-pub const MOTIONS: [Motion; 2] = [Motion::Step, Motion::Turn];
-
-/// One centimetre a frame, in camera axes.
-const STEP_CAMERA_METRES: DVec3 = DVec3::new(0.006, 0.0, -0.008);
-const TURN_DEGREES: f64 = 0.05;
-
 /// Which stations of a path are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Stations {
@@ -65,21 +46,6 @@ pub(crate) enum Stations {
     Seen,
     /// Those halfway between.
     Unseen,
-}
-
-impl Station {
-    /// The next frame of a slow camera.
-    pub fn moved(&self, motion: Motion) -> Self {
-        let mut view = self.view;
-        match motion {
-            Motion::Step => view.eye_world += view.camera_from_world.transpose() * STEP_CAMERA_METRES,
-            Motion::Turn => {
-                view.camera_from_world =
-                    DMat3::from_rotation_y(TURN_DEGREES.to_radians()) * view.camera_from_world;
-            }
-        }
-        Self { view, ..*self }
-    }
 }
 
 impl ViewPath {

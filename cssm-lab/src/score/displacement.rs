@@ -13,6 +13,8 @@ pub struct Displacement {
     pub map_to_true: Distances,
     /// From each true edge to the nearest edge of the map.
     pub true_to_map: Distances,
+    /// The same from true edges with no crease within a footprint, behind which the map's edge might lie unseen.
+    pub open: Distances,
 }
 
 /// Distances from one set of edges to another.
@@ -32,26 +34,34 @@ impl Displacement {
         to_true: &[f64],
         true_edges: &Marks,
         to_map: &[f64],
+        to_crease: &[f64],
         footprints: &[Option<PixelFootprint>],
-        lattice: Lattice,
     ) -> Self {
+        let lattice = map_edges.lattice;
+        let is_open = |place: &usize| {
+            surface_footprint(footprints, lattice, *place)
+                .is_some_and(|footprint| to_crease[*place] > footprint)
+        };
         Self {
-            map_to_true: Distances::from(map_edges, to_true, footprints, lattice),
-            true_to_map: Distances::from(true_edges, to_map, footprints, lattice),
+            map_to_true: Distances::from(map_edges.places(), to_true, footprints, lattice),
+            true_to_map: Distances::from(true_edges.places(), to_map, footprints, lattice),
+            open: Distances::from(true_edges.places().filter(is_open), to_map, footprints, lattice),
         }
     }
 }
 
 impl Distances {
     fn from(
-        edges: &Marks,
+        edges: impl Iterator<Item = usize>,
         to_other: &[f64],
         footprints: &[Option<PixelFootprint>],
         lattice: Lattice,
     ) -> Self {
-        let pixels: Vec<f64> = edges.places().map(|place| to_other[place]).collect();
+        let edges: Vec<usize> = edges.collect();
+        let pixels: Vec<f64> = edges.iter().map(|place| to_other[*place]).collect();
         let relative = edges
-            .places()
+            .iter()
+            .copied()
             .filter_map(|place| Some(to_other[place] / surface_footprint(footprints, lattice, place)?))
             .collect();
         Self {

@@ -1,5 +1,6 @@
 //! Plans that outlive their frame: made for a view that is a little wider than the present one.
 
+use cssm_core::case::Stability;
 use cssm_core::glam::DVec3;
 use cssm_core::plan::{PlanRequest, ViewMargin};
 use cssm_core::{PlanError, ShadowPlan, View};
@@ -82,7 +83,11 @@ pub(super) fn plan(
 ) -> Result<(ShadowPlan, f64), PlanError> {
     let exact = request.plan()?;
     let best_pixels = exact.p95_pixels(request.view);
-    let Some(motion) = motion.filter(|motion| !motion.is_none()) else { return Ok((exact, best_pixels)) };
+    // A lattice of views has a margin of its own.
+    let has_lattice = matches!(request.case.stability, Stability::Quantised { .. });
+    let Some(motion) = motion.filter(|motion| !motion.is_none() && !has_lattice) else {
+        return Ok((exact, best_pixels));
+    };
 
     // Look for the widest margin that costs little.
     *reach = (*reach * REACH_GROWTH).min(FARTHEST_REACH);

@@ -5,7 +5,8 @@
 //!
 //! 1. [`LightService::prepare`] plans what has to be planned, shares the texture among the lights that the view sees, finds
 //!    the tiles whose casters changed and uploads the records;
-//! 2. [`LightService::capture`] draws those tiles, and nothing else, in one render pass;
+//! 2. [`LightService::capture`] draws those tiles, and nothing else, in one render pass; [`LightService::capture_with`] lets
+//!    the engine draw its own casters into them;
 //! 3. [`LightService::mask`] writes one light's visibility, or the engine's own materials take
 //!    [`PreparedLights::shadow_bind_group`].
 //!
@@ -21,7 +22,10 @@
 //!   texture; dynamic casters are drawn over a copy of them.
 //! * **Nothing is lost to a budget.** What the map does not cover yet is drawn at once; only changes that can wait do.
 
+mod content;
+mod depth;
 mod description;
+mod engine;
 mod hold;
 mod layers;
 mod meshes;
@@ -42,6 +46,7 @@ use cssm_core::table::CaseTable;
 use cssm_core::{LightCase, ShadowPlan, View};
 
 pub use description::{CaseHandle, LightDescription, LightFrame, LightHandle, LightOptions, Update, ViewId};
+pub use engine::{CasterLayer, EngineCaster, LightFacet};
 pub use prepared::PreparedLights;
 pub use report::{LightReport, LightState, LightStatistics, TileStatistics};
 
@@ -51,6 +56,7 @@ use crate::commands::{CommandScratch, FrameStatistics};
 use crate::culling::Culling;
 use crate::error::ServiceError;
 use crate::service::{Options, ShadowService};
+use depth::ObservedDepth;
 use layers::Layers;
 use meshes::Meshes;
 use shadow::Shadow;
@@ -70,6 +76,8 @@ pub struct LightService {
     static_casters: CasterScene,
     dynamic_casters: CasterScene,
     views: Vec<ServedView>,
+    /// What is measured of views.
+    depths: Vec<ObservedDepth>,
     scratch: Scratch,
     /// Counts calls of [`LightService::prepare`].
     number: u64,
@@ -151,6 +159,7 @@ impl LightService {
             static_casters: CasterScene::new(),
             dynamic_casters: CasterScene::new(),
             views: Vec::new(),
+            depths: Vec::new(),
             scratch: Scratch::default(),
             number: 0,
             serial: 0,
@@ -231,6 +240,7 @@ impl LightService {
     /// Forgets a view: its lights' squares become free.
     pub fn remove_view(&mut self, view: ViewId) {
         self.views.retain(|known| known.id != view);
+        self.depths.retain(|known| known.view != view);
         for served in self.lights.iter_mut().filter_map(|entry| entry.light.as_mut()) {
             served.shadows.retain(|shadow| {
                 if shadow.view == view
@@ -267,6 +277,7 @@ impl LightService {
         let mut served = ServedCase::new(device, queue, case, table, &self.options, &self.layers.main)?;
         self.meshes.add_all_to(&mut served.service, index)?;
         self.cases[index] = served;
+        self.depths.clear();
         for served in self
             .lights
             .iter_mut()

@@ -5,14 +5,15 @@ use cssm_core::facet::Facet;
 use cssm_core::plan::{MapRegion, PlanRequest};
 use cssm_core::{LightCase, PlanError, ShadowPlan, View};
 
+use super::content::Sources;
 use super::description::{LightDescription, LightFrame, LightHandle, Update};
+use super::engine;
 use super::hold::{self, Motion, Need};
 use super::prepared::{PreparedLights, PreparedShadow};
 use super::report::{LightState, LightStatistics, TileStatistics};
 use super::scissor::scissor;
-use super::shadow::{Content, Fill, Held, Shadow, TileState, TileWork, is_measured};
+use super::shadow::{Fill, Held, Shadow, TileState, TileWork, is_measured};
 use super::{LightService, Scratch, ServedCase, ServedView};
-use crate::casters::CasterScene;
 use crate::commands::{FrameCommands, MeshFacts};
 use crate::error::ServiceError;
 use crate::frame::PreparedFrame;
@@ -40,6 +41,8 @@ impl LightService {
         self.update_casters(frame)?;
         self.number += 1;
         let motion = self.motion(frame);
+        let depth = self.depth_now(frame);
+        let frame = &LightFrame { depth: frame.depth.or(depth.as_ref()), ..*frame };
 
         // Plan, and share the map anew where a square turns out too small.
         let mut moved = 0;
@@ -68,6 +71,8 @@ impl LightService {
     }
 
     fn update_casters(&mut self, frame: &LightFrame) -> Result<(), ServiceError> {
+        engine::check("static", frame.static_engine_casters)?;
+        engine::check("dynamic", frame.dynamic_engine_casters)?;
         let Self { meshes, cases, static_casters, dynamic_casters, .. } = self;
         let first = cases.first().ok_or(ServiceError::NoCases)?;
         let facts = |mesh| meshes.facts(&first.service, 0, mesh);
@@ -201,6 +206,7 @@ impl LightService {
         for index in 0..self.lights.len() {
             let turn = self.is_its_turn(index);
             let Self { lights, cases, static_casters, dynamic_casters, scratch, meshes, .. } = self;
+            let sources = Sources::new(static_casters, dynamic_casters, frame);
             let Some(entry) = lights.get_mut(index) else { continue };
             let light = LightHandle { index: index as u32, generation: entry.generation };
             let Some(served) = &mut entry.light else { continue };
@@ -222,7 +228,7 @@ impl LightService {
             let is_first = held.frames == 0;
             let plan = &held.plan;
             for (position, state) in held.tiles.iter_mut().enumerate() {
-                let content = state.content_now(plan, static_casters, dynamic_casters, scratch);
+                let content = state.content_now(light, plan, &sources, &mut scratch.commands);
                 let Some(work) = state.work(content, is_first) else { continue };
                 let side = state.tile.texels();
                 if state.shown.is_some() && (!turn || side > left_texels) {
@@ -232,20 +238,21 @@ impl LightService {
                 left_texels = left_texels.saturating_sub(side);
                 draws_still |= work.draw_still;
                 part.works.push((position, state.tile, work));
+                sources.list_engine_draws(light, plan, (state, &work), &mut part.engine);
             }
             let facts = |mesh| meshes.facts(&case.service, case_index, mesh);
             part.build(
                 &held.plan,
                 &held.tiles,
-                static_casters,
-                dynamic_casters,
+                &sources,
                 facts,
                 scratch,
                 &mut statistics,
             )?;
             let static_texels = part.works.iter().filter(|(.., work)| work.draw_still);
             let static_texels: u64 = static_texels.map(|(_, tile, _)| tile.texels()).sum();
-            next.report.add(&statistics, static_texels);
+            let engine_facets = part.engine.len() as u32;
+            next.report.add(&statistics, static_texels, engine_facets);
             if held.light != description.light && statistics.state == LightState::Current {
                 statistics.state = LightState::Waits;
             }
@@ -329,7 +336,7 @@ impl Shadow {
             Ok((plan, best_pixels)) => {
                 self.estimate(&plan, request.view, side, description);
                 self.held =
-                    (!plan.facets.is_empty()).then(|| Held::new(plan, serial, *request.light, best_pixels));
+                    (!plan.facets.is_empty()).then(|| Held::new(plan, serial, request, best_pixels));
                 false
             }
             Err(PlanError::MapTooSmall { .. }) if side < description.max_side_texels => {
@@ -379,33 +386,6 @@ impl Shadow {
     }
 }
 
-impl TileState {
-    /// Hashes of the casters that the tile should show.
-    fn content_now(
-        &mut self,
-        plan: &ShadowPlan,
-        static_casters: &CasterScene,
-        dynamic_casters: &CasterScene,
-        scratch: &mut Scratch,
-    ) -> Content {
-        let revisions = (static_casters.revision(), dynamic_casters.revision());
-        let mut sum = |casters: &CasterScene| {
-            let facets = self.facets.iter();
-            facets.fold(0_u64, |sum, facet| {
-                let content = FrameCommands::content(plan, *facet, casters, &mut scratch.commands);
-                sum.rotate_left(1).wrapping_add(content)
-            })
-        };
-        let (known, content) = self.wanted.unwrap_or((revisions, Content { fixed: 0, dynamic: 0 }));
-        let is_known = self.wanted.is_some();
-        let fixed = if is_known && known.0 == revisions.0 { content.fixed } else { sum(static_casters) };
-        let dynamic = if is_known && known.1 == revisions.1 { content.dynamic } else { sum(dynamic_casters) };
-        let content = Content { fixed, dynamic };
-        self.wanted = Some((revisions, content));
-        content
-    }
-}
-
 impl PreparedShadow {
     /// Builds the draws of the tiles that change, and counts them.
     #[allow(
@@ -416,8 +396,7 @@ impl PreparedShadow {
         &mut self,
         plan: &ShadowPlan,
         tiles: &[TileState],
-        static_casters: &CasterScene,
-        dynamic_casters: &CasterScene,
+        sources: &Sources,
         facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
         scratch: &mut Scratch,
         statistics: &mut LightStatistics,
@@ -428,9 +407,9 @@ impl PreparedShadow {
         let drawn_fixed: fn(&TileWork) -> bool = |work| work.fill == Fill::Draw;
         let drawn_dynamic: fn(&TileWork) -> bool = |work| work.content.dynamic != 0;
         let lists = [
-            (still, drawn_still, static_casters, "static"),
-            (fixed, drawn_fixed, static_casters, "static"),
-            (dynamic, drawn_dynamic, dynamic_casters, "dynamic"),
+            (still, drawn_still, sources.fixed, "static"),
+            (fixed, drawn_fixed, sources.fixed, "static"),
+            (dynamic, drawn_dynamic, sources.dynamic, "dynamic"),
         ];
         for (list, is_drawn, casters, name) in lists {
             let chosen = works.iter().filter(|(.., work)| is_drawn(work));

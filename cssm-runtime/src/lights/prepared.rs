@@ -5,6 +5,7 @@ use std::sync::Arc;
 use cssm_core::facet::Tile;
 
 use super::description::{LightHandle, ViewId};
+use super::engine::EngineDraw;
 use super::report::LightReport;
 use super::shadow::TileWork;
 use crate::commands::FrameCommands;
@@ -43,6 +44,8 @@ pub(super) struct PreparedShadow {
     pub(super) fixed: FrameCommands,
     /// Draws of dynamic casters into the shared map.
     pub(super) dynamic: FrameCommands,
+    /// Draws of the engine's own casters.
+    pub(super) engine: Vec<EngineDraw>,
     /// Pixels of the view that the light can reach, x, y, width and height; `None`: all.
     pub(super) scissor: Option<[u32; 4]>,
 }
@@ -102,6 +105,7 @@ impl PreparedLights {
                 still: FrameCommands::default(),
                 fixed: FrameCommands::default(),
                 dynamic: FrameCommands::default(),
+                engine: Vec::new(),
                 scissor: None,
             });
         }
@@ -111,6 +115,7 @@ impl PreparedLights {
         shadow.case = case;
         shadow.serial = serial;
         shadow.works.clear();
+        shadow.engine.clear();
         shadow
     }
 }

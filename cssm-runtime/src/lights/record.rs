@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::LightService;
 use super::description::LightHandle;
+use super::engine::LightFacet;
 use super::prepared::{PreparedLights, PreparedShadow};
 use super::shadow::Fill;
 use crate::capture::Records;
@@ -19,12 +20,27 @@ impl LightService {
     /// Prepare, capture and submit each frame in this order; what was prepared and not captured is prepared again.
     ///
     /// # Errors
-    /// [`ServiceError::StaleFrame`] for a frame that is not the view's last, or draws meshes that were removed.
+    /// [`ServiceError::StaleFrame`] for a frame that is not the view's last, or draws meshes that were removed;
+    /// [`ServiceError::EngineCasters`] for one with casters that only [`LightService::capture_with`] can draw.
     pub fn capture(
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
         frame: &PreparedLights,
         timestamps: Option<wgpu::RenderPassTimestampWrites>,
+    ) -> Result<(), ServiceError> {
+        if frame.in_use().iter().any(|shadow| !shadow.engine.is_empty()) {
+            return Err(ServiceError::EngineCasters);
+        }
+        self.record(encoder, frame, timestamps, &mut |_, _| {})
+    }
+
+    /// Records the capture; `engine` draws casters of the engine's own.
+    pub(super) fn record(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &PreparedLights,
+        timestamps: Option<wgpu::RenderPassTimestampWrites>,
+        engine: &mut dyn FnMut(&mut wgpu::RenderPass, LightFacet),
     ) -> Result<(), ServiceError> {
         self.check_frame(frame)?;
         self.check_meshes(frame)?;
@@ -41,6 +57,7 @@ impl LightService {
             }
             for (shadow, frame) in prepared(shadows) {
                 self.draw(&mut pass, (shadow, frame), &shadow.still, 0);
+                self.draw_engine(&mut pass, (shadow, frame), true, engine);
             }
         }
 
@@ -60,6 +77,7 @@ impl LightService {
                 self.draw(&mut pass, (shadow, frame), &shadow.fixed, first);
                 let first = first + shadow.fixed.rows.len();
                 self.draw(&mut pass, (shadow, frame), &shadow.dynamic, first);
+                self.draw_engine(&mut pass, (shadow, frame), false, engine);
             }
         }
 

@@ -40,6 +40,7 @@ mod shares;
 mod stored;
 mod tiles;
 
+use std::collections::BinaryHeap;
 use std::sync::Arc;
 
 use cssm_core::table::CaseTable;
@@ -47,13 +48,13 @@ use cssm_core::{LightCase, ShadowPlan, View};
 
 pub use description::{CaseHandle, LightDescription, LightFrame, LightHandle, LightOptions, Update, ViewId};
 pub use engine::{CasterLayer, EngineCaster, LightFacet};
-pub use prepared::PreparedLights;
+pub use prepared::{LightCommands, PreparedLights};
 pub use report::{LightReport, LightState, LightStatistics, TileStatistics};
 
 use crate::atlas::texture_format;
 use crate::casters::CasterScene;
 use crate::commands::{CommandScratch, FrameStatistics};
-use crate::culling::Culling;
+use crate::culling::{Culling, CullingWork, GpuCulling};
 use crate::error::ServiceError;
 use crate::service::{Options, ShadowService};
 use depth::ObservedDepth;
@@ -75,6 +76,8 @@ pub struct LightService {
     meshes: Meshes,
     static_casters: CasterScene,
     dynamic_casters: CasterScene,
+    /// Where the options ask for it and the device can.
+    culling: Option<GpuCulling>,
     views: Vec<ServedView>,
     /// What is measured of views.
     depths: Vec<ObservedDepth>,
@@ -120,8 +123,12 @@ struct ServedLight {
 struct Scratch {
     commands: CommandScratch,
     statistics: FrameStatistics,
+    /// What the device is to cull in a frame, for all lights.
+    work: CullingWork,
     claims: Vec<share::Claim>,
     sides: Vec<u32>,
+    queue: BinaryHeap<share::Wish>,
+    wishes: Vec<(f64, usize)>,
     ruled: Vec<u32>,
     claimants: Vec<shares::Claimant>,
     /// Filled in turn with what the engine holds, so that a failure leaves the engine's as it was.
@@ -146,6 +153,10 @@ impl LightService {
         let served = |(case, table): &(&LightCase, &CaseTable)| {
             ServedCase::new(device, queue, case, table, options, &layers.main)
         };
+        let culling = match options.service.culling {
+            Culling::Cpu => None,
+            Culling::Gpu => GpuCulling::new(device)?,
+        };
         let cases = cases.iter().map(served).collect::<Result<Vec<_>, _>>()?;
         Ok(Self {
             device: device.clone(),
@@ -158,6 +169,7 @@ impl LightService {
             meshes: Meshes::default(),
             static_casters: CasterScene::new(),
             dynamic_casters: CasterScene::new(),
+            culling,
             views: Vec::new(),
             depths: Vec::new(),
             scratch: Scratch::default(),
@@ -299,6 +311,11 @@ impl LightService {
         self.cases.get(case.0 as usize).map(|served| &served.service)
     }
 
+    /// Where casters are culled: [`Culling::Gpu`] only if the options ask for it and the device can.
+    pub fn culling(&self) -> Culling {
+        if self.culling.is_some() { Culling::Gpu } else { Culling::Cpu }
+    }
+
     /// Whether the device is lost; see [`ShadowService::device_lost`].
     pub fn device_lost(&self) -> bool {
         self.cases.iter().any(|served| served.service.device_lost())
@@ -351,7 +368,7 @@ impl ServedCase {
         if size != (map.width(), map.height()) || texture_format(case.map.format) != map.format() {
             return Err(ServiceError::MixedMaps { case: case.name.clone() });
         }
-        // One queue of draws serves all lights: the CPU culls them.
+        // All cases are culled together.
         let options = Options { culling: Culling::Cpu, ..options.service };
         let service = ShadowService::sharing(device, queue, table, &options, map)?;
         Ok(Self { case: case.clone(), service })

@@ -7,7 +7,8 @@ use cssm_core::table::{CaseTable, CasterTable, caster_rows};
 use cssm_core::{BoundingBox, Light, LightCase, View};
 use cssm_lab::case_file::{pick_case, with_map_size};
 use cssm_runtime::lights::{
-    CaseHandle, CasterLayer, EngineCaster, LightDescription, LightFacet, LightFrame, LightHandle, LightOptions,
+    CaseHandle, CasterLayer, EngineCaster, LightDescription, LightFacet, LightFrame, LightHandle,
+    LightOptions,
 };
 use cssm_runtime::{
     CasterInstance, CasterPipelineDescription, CasterPipelines, LightService, MeshHandle, PreparedLights,
@@ -148,7 +149,10 @@ impl<'g> Stage<'g> {
         let instances = [&still[..], &moving[..]].map(|list| list.iter().copied().map(instance));
         let [static_casters, dynamic_casters] = instances.map(|list| list.collect::<Vec<_>>());
         let engine = |list: &[DAffine3], first: u64| -> Vec<EngineCaster> {
-            (first..).zip(list).map(|(revision, place)| EngineCaster::new(surrounded(place), revision)).collect()
+            (first..)
+                .zip(list)
+                .map(|(revision, place)| EngineCaster::new(surrounded(place), revision))
+                .collect()
         };
         let (of_static, of_dynamic) = (engine(&still, 1), engine(&moving, revision));
         let view = view();
@@ -180,6 +184,9 @@ impl<'g> Stage<'g> {
                 .flatten()
                 .flat_map(f32::to_le_bytes)
                 .collect();
+            if rows.is_empty() {
+                return;
+            }
             let rows = buffer(gpu, &rows, wgpu::BufferUsages::VERTEX);
             pass.set_pipeline(pipelines[facet.case.0 as usize].of(facet.facet.depth_order));
             pass.set_vertex_buffer(0, buffers.vertices.slice(..));
@@ -208,11 +215,8 @@ fn differing(one: &[u8], other: &[u8]) -> usize {
     one.chunks(4).zip(other.chunks(4)).filter(|(one, other)| one != other).count()
 }
 
-const WHO: [[Drawer; 2]; 3] = [
-    [Drawer::Engine, Drawer::Engine],
-    [Drawer::Service, Drawer::Engine],
-    [Drawer::Engine, Drawer::Service],
-];
+const WHO: [[Drawer; 2]; 3] =
+    [[Drawer::Engine, Drawer::Engine], [Drawer::Service, Drawer::Engine], [Drawer::Engine, Drawer::Service]];
 
 #[test]
 fn the_engine_draws_what_the_service_draws() {
@@ -235,8 +239,9 @@ fn the_engine_draws_what_the_service_draws() {
         // Still frames ask for nothing; frames in which the box moves ask for the tiles that it reaches.
         assert!(calls[0] > 0 && calls[1] == 0 && calls[4] == 0, "{calls:?}");
         assert!(redrawn[3] > 0 && redrawn[3] < redrawn[0], "{redrawn:?}");
-        if who[1] == Drawer::Engine {
-            assert!(calls[2] > 0 && calls[3] > 0 && calls[3] < calls[0], "{calls:?}");
+        if who == [Drawer::Service, Drawer::Engine] {
+            let facets: usize = stage.prepared.report().lights.iter().map(|light| light.tiles.len()).sum();
+            assert!(calls[2] > 0 && calls[3] > 0 && calls[3] < facets, "{calls:?} of {facets}");
         }
     }
 }

@@ -65,12 +65,7 @@ impl TileState {
     }
 
     /// The part that the service draws.
-    fn own_content(
-        &mut self,
-        plan: &ShadowPlan,
-        sources: &Sources,
-        scratch: &mut CommandScratch,
-    ) -> Content {
+    fn own_content(&mut self, plan: &ShadowPlan, sources: &Sources, scratch: &mut CommandScratch) -> Content {
         let revisions = (sources.fixed.revision(), sources.dynamic.revision());
         let mut sum = |casters: &CasterScene| {
             let contents = self.facets.iter();

@@ -109,6 +109,7 @@ fn measuring<'c>(cases: &'c [ServedCase], depth: &wgpu::TextureView) -> Option<&
         let group = table.group(ShaderKind::Fit, GroupContent::Fit);
         group.is_some_and(|group| group.bindings.iter().any(|binding| binding.kind == wanted))
     };
-    let tables = || cases.iter().map(|served| served.service.table()).filter(|table| table.reduction.is_some());
+    let tables =
+        || cases.iter().map(|served| served.service.table()).filter(|table| table.reduction.is_some());
     tables().find(|table| takes(table)).or_else(|| tables().next())
 }

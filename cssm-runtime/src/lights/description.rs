@@ -142,7 +142,8 @@ impl<'a> LightFrame<'a> {
 /// Choices of the engine for all lights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightOptions {
-    /// Mask format and material stages; casters of many lights are culled on the CPU, whatever it says.
+    /// Mask format and material stages, and where casters are culled: with [`Culling::Gpu`](crate::Culling::Gpu) those of all
+    /// tiles that a frame draws in one go.
     pub service: Options,
     /// Texels that may be redrawn in a frame for changes that can wait; what cannot wait is drawn in any case and counts
     /// first.

@@ -6,9 +6,10 @@ use cssm_core::facet::Tile;
 
 use super::description::{LightHandle, ViewId};
 use super::engine::EngineDraw;
-use super::report::LightReport;
+use super::report::{LightReport, TileStatistics};
 use super::shadow::TileWork;
 use crate::commands::FrameCommands;
+use crate::culling::CulledFrame;
 use crate::frame::PreparedFrame;
 
 /// One view of one frame: what [`LightService::prepare`](super::LightService::prepare) fills.
@@ -25,6 +26,23 @@ pub struct PreparedLights {
     /// Number of the shadows in use; the others keep their memory.
     pub(super) used: usize,
     pub(super) report: LightReport,
+    /// Lists for the report, those of its first lights last.
+    pub(super) tiles: Vec<Vec<TileStatistics>>,
+    /// What the device culls for all of them.
+    pub(super) culled: Option<Arc<CulledFrame>>,
+}
+
+/// What the tiles of one light that change in a frame draw of the service's own casters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LightCommands {
+    /// The light.
+    pub light: LightHandle,
+    /// Static casters, into the map of casters that stay.
+    pub still: FrameCommands,
+    /// Static casters, into the shared map.
+    pub fixed: FrameCommands,
+    /// Dynamic casters, into the shared map.
+    pub dynamic: FrameCommands,
 }
 
 /// One light's part.
@@ -87,9 +105,12 @@ impl PreparedLights {
         self.view = view;
         self.number = number;
         self.used = 0;
+        self.culled = None;
         for shadow in &mut self.shadows {
             shadow.frame = None;
         }
+        let lists = self.report.lights.drain(..).rev();
+        self.tiles.extend(lists.map(|light| TileStatistics::emptied(light.tiles)));
         self.report.reset();
     }
 

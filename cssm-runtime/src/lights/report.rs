@@ -84,6 +84,14 @@ pub struct TileStatistics {
     pub redrawn: bool,
 }
 
+impl TileStatistics {
+    /// An empty list in the memory of another.
+    pub(super) fn emptied(mut list: Vec<Self>) -> Vec<Self> {
+        list.clear();
+        list
+    }
+}
+
 impl LightReport {
     /// Counts a light's part.
     pub(super) fn add(&mut self, light: &LightStatistics, static_texels: u64, engine_facets: u32) {

@@ -40,6 +40,8 @@ pub(super) struct Held {
     pub(super) covered: Option<(View, SceneBounds)>,
     /// The measured depth that it was fitted to.
     pub(super) depth: Option<Box<DepthHistogram>>,
+    /// The plan relative to a later eye.
+    seen: Option<Box<ShadowPlan>>,
     /// Frames that have used it.
     pub(super) frames: u32,
     pub(super) tiles: Vec<TileState>,
@@ -137,6 +139,7 @@ impl Held {
             best_pixels,
             predicted: None,
             covered: None,
+            seen: None,
             depth: measured.map(|depth| Box::new(*depth)),
             frames: 0,
             tiles,
@@ -146,6 +149,19 @@ impl Held {
     /// Whether it was made relative to a view's eye and axes.
     pub(super) fn is_of(&self, view: &View) -> bool {
         self.plan.eye_world == view.eye_world && self.plan.camera_from_world == view.camera_from_world
+    }
+
+    /// The plan as it was made, and relative to a view's eye. Memory is taken once in the plan's life; the constants of rows
+    /// that are brought from eye to eye lose a bit of f64 in a thousand frames.
+    pub(super) fn seen_from(&mut self, view: &View) -> (&ShadowPlan, &ShadowPlan) {
+        if self.is_of(view) {
+            return (&self.plan, &self.plan);
+        }
+        let seen = self.seen.get_or_insert_with(|| Box::new(self.plan.clone()));
+        if seen.eye_world != view.eye_world || seen.camera_from_world != view.camera_from_world {
+            seen.rebase(view);
+        }
+        (&self.plan, seen)
     }
 
     /// Whether it covers what a request sees, whatever the request's light.

@@ -13,8 +13,8 @@ mod write;
 pub use caster::{CasterAttribute, CasterBinding, CasterShader, CasterSpace, CasterTable, caster_rows};
 pub use constant::{Constant, ConstantKind, ConstantValue};
 pub use write::{
-    shear_parts, write_capture_record, write_caster_mask_record, write_fit_record, write_mask_record,
-    write_shadow_record,
+    shear_parts, write_capture_record, write_capture_record_to, write_caster_mask_record, write_fit_record,
+    write_mask_record, write_mask_record_to, write_shadow_record, write_shadow_record_to,
 };
 
 use std::borrow::Cow;

@@ -35,6 +35,15 @@ pub(crate) struct Records<'a> {
     pub(crate) culled: Option<&'a CulledFrame>,
 }
 
+impl Records<'_> {
+    /// Confines a pass to a facet's tile and binds its record, at its position in the plan's list.
+    pub(crate) fn begin_facet(&self, pass: &mut wgpu::RenderPass, position: usize, tile: &Tile) {
+        let offset = position as u64 * self.facet_stride;
+        pass.set_bind_group(0, &self.slot.capture_group, &[offset as u32]);
+        confine(pass, tile);
+    }
+}
+
 /// Whose rows are bound.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum BoundRows {
@@ -88,7 +97,7 @@ impl CapturePipelines {
         if commands.commands.is_empty() {
             return;
         }
-        let Records { slot, facet_stride, order, culled } = records;
+        let Records { slot, order, culled, .. } = records;
         let first_byte = first_row as u64 * InstanceRows::BYTES;
         let mut bound = None;
         let mut bind_rows = |pass: &mut wgpu::RenderPass, wanted: BoundRows| {
@@ -104,9 +113,7 @@ impl CapturePipelines {
         for command in &commands.commands {
             match command {
                 Command::Facet { facet, tile } => {
-                    let offset = u64::from(facet.0) * facet_stride;
-                    pass.set_bind_group(0, &slot.capture_group, &[offset as u32]);
-                    confine(pass, tile);
+                    records.begin_facet(pass, facet.0 as usize, tile);
                 }
                 Command::Pipeline(handle) => {
                     if let Some(pipeline) = self.pipeline(*handle, order) {

@@ -2,6 +2,8 @@
 
 mod content;
 
+pub(crate) use content::mixed;
+
 use std::ops::Range;
 
 use cssm_core::BoundingBox;

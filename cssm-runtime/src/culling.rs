@@ -18,7 +18,7 @@ mod work;
 
 pub(crate) use device::GpuCulling;
 pub(crate) use frame::CulledFrame;
-pub(crate) use read::drawn;
+pub(crate) use read::CulledWords;
 pub(crate) use work::{CullingWork, LeftClusters};
 
 use crate::requirements::Requirements;

@@ -208,6 +208,19 @@ pub enum ServiceError {
         /// What is wrong.
         source: Box<ServiceError>,
     },
+    /// The box of a caster that the engine draws holds nothing.
+    #[error(
+        "the box of caster {caster} in the list of {list} casters of the engine's own is empty or not finite; give finite boxes, or none for casters that may be anywhere"
+    )]
+    EngineBounds {
+        /// `static` or `dynamic`.
+        list: &'static str,
+        /// Position in the list.
+        caster: usize,
+    },
+    /// Casters that only the engine can draw were left out.
+    #[error("tiles of the frame show casters that the engine draws; record it with capture_with")]
+    EngineCasters,
     /// Reading back failed.
     #[error("the texture could not be read back: {why}; read colour or depth textures with COPY_SRC usage")]
     ReadBack {

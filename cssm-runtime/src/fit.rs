@@ -212,13 +212,27 @@ impl DepthReduction {
         for entry in &mut self.ring {
             if let State::Recorded(frame) = entry.state {
                 let answer = Arc::new(AtomicU8::new(PENDING));
-                let told = Arc::clone(&answer);
-                entry.read_back.map_async(wgpu::MapMode::Read, .., move |result| {
-                    told.store(if result.is_ok() { MAPPED } else { FAILED }, Ordering::Release);
-                });
+                entry.read_back.map_async(wgpu::MapMode::Read, .., told(&answer));
                 entry.state = State::Mapping(frame, answer);
             }
         }
+    }
+
+    /// Has the numbers of what was recorded asked for when the encoder is submitted, in the place of [`Self::submitted`];
+    /// what an encoder that is dropped has recorded is taken back by itself.
+    pub(crate) fn read_on_submit(&mut self, encoder: &wgpu::CommandEncoder) {
+        for entry in &mut self.ring {
+            if let State::Recorded(frame) = entry.state {
+                let answer = Arc::new(AtomicU8::new(PENDING));
+                encoder.map_buffer_on_submit(&entry.read_back, wgpu::MapMode::Read, .., told(&answer));
+                entry.state = State::Mapping(frame, answer);
+            }
+        }
+    }
+
+    /// Counts a frame in which nothing is recorded.
+    pub(crate) fn pass_frame(&mut self) {
+        self.frames += 1;
     }
 
     /// Takes back what was recorded in encoders that are dropped unsubmitted.
@@ -239,8 +253,14 @@ impl DepthReduction {
         self.device.poll(wgpu::PollType::Poll).map_err(|_| ServiceError::DeviceLost)?;
         let mut newest: Option<(u64, DepthHistogram)> = None;
         for entry in &mut self.ring {
-            let State::Mapping(frame, answer) = &entry.state else { continue };
-            match answer.load(Ordering::Acquire) {
+            let State::Mapping(frame, answer) = &mut entry.state else { continue };
+            let dropped = Arc::get_mut(answer).is_some_and(|answer| *answer.get_mut() == PENDING);
+            if dropped {
+                entry.state = State::Free;
+                continue;
+            }
+            let (frame, answer) = (*frame, answer.load(Ordering::Acquire));
+            match answer {
                 PENDING => continue,
                 FAILED => return Err(ServiceError::DeviceLost),
                 _ => {}
@@ -257,6 +277,12 @@ impl DepthReduction {
         }
         Ok(newest.map(|(_, histogram)| histogram))
     }
+}
+
+/// What a mapping calls; nobody else holds the answer then.
+fn told(answer: &Arc<AtomicU8>) -> impl FnOnce(Result<(), wgpu::BufferAsyncError>) + Send + 'static {
+    let answer = Arc::clone(answer);
+    move |result| answer.store(if result.is_ok() { MAPPED } else { FAILED }, Ordering::Release)
 }
 
 impl Entry {

@@ -5,7 +5,8 @@
 //!
 //! 1. [`LightService::prepare`] plans what has to be planned, shares the texture among the lights that the view sees, finds
 //!    the tiles whose casters changed and uploads the records;
-//! 2. [`LightService::capture`] draws those tiles, and nothing else, in one render pass;
+//! 2. [`LightService::capture`] draws those tiles, and nothing else, in one render pass; [`LightService::capture_with`] lets
+//!    the engine draw its own casters into them;
 //! 3. [`LightService::mask`] writes one light's visibility, or the engine's own materials take
 //!    [`PreparedLights::shadow_bind_group`].
 //!
@@ -21,7 +22,10 @@
 //!   texture; dynamic casters are drawn over a copy of them.
 //! * **Nothing is lost to a budget.** What the map does not cover yet is drawn at once; only changes that can wait do.
 
+mod content;
+mod depth;
 mod description;
+mod engine;
 mod hold;
 mod layers;
 mod meshes;
@@ -36,21 +40,24 @@ mod shares;
 mod stored;
 mod tiles;
 
+use std::collections::BinaryHeap;
 use std::sync::Arc;
 
 use cssm_core::table::CaseTable;
 use cssm_core::{LightCase, ShadowPlan, View};
 
 pub use description::{CaseHandle, LightDescription, LightFrame, LightHandle, LightOptions, Update, ViewId};
-pub use prepared::PreparedLights;
+pub use engine::{CasterLayer, EngineCaster, LightFacet};
+pub use prepared::{LightCommands, PreparedLights};
 pub use report::{LightReport, LightState, LightStatistics, TileStatistics};
 
 use crate::atlas::texture_format;
 use crate::casters::CasterScene;
 use crate::commands::{CommandScratch, FrameStatistics};
-use crate::culling::Culling;
+use crate::culling::{Culling, CullingWork, GpuCulling};
 use crate::error::ServiceError;
 use crate::service::{Options, ShadowService};
+use depth::ObservedDepth;
 use layers::Layers;
 use meshes::Meshes;
 use shadow::Shadow;
@@ -69,7 +76,11 @@ pub struct LightService {
     meshes: Meshes,
     static_casters: CasterScene,
     dynamic_casters: CasterScene,
+    /// Where the options ask for it and the device can.
+    culling: Option<GpuCulling>,
     views: Vec<ServedView>,
+    /// What is measured of views.
+    depths: Vec<ObservedDepth>,
     scratch: Scratch,
     /// Counts calls of [`LightService::prepare`].
     number: u64,
@@ -112,8 +123,12 @@ struct ServedLight {
 struct Scratch {
     commands: CommandScratch,
     statistics: FrameStatistics,
+    /// What the device is to cull in a frame, for all lights.
+    work: CullingWork,
     claims: Vec<share::Claim>,
     sides: Vec<u32>,
+    queue: BinaryHeap<share::Wish>,
+    wishes: Vec<(f64, usize)>,
     ruled: Vec<u32>,
     claimants: Vec<shares::Claimant>,
     /// Filled in turn with what the engine holds, so that a failure leaves the engine's as it was.
@@ -138,6 +153,10 @@ impl LightService {
         let served = |(case, table): &(&LightCase, &CaseTable)| {
             ServedCase::new(device, queue, case, table, options, &layers.main)
         };
+        let culling = match options.service.culling {
+            Culling::Cpu => None,
+            Culling::Gpu => GpuCulling::new(device)?,
+        };
         let cases = cases.iter().map(served).collect::<Result<Vec<_>, _>>()?;
         Ok(Self {
             device: device.clone(),
@@ -150,7 +169,9 @@ impl LightService {
             meshes: Meshes::default(),
             static_casters: CasterScene::new(),
             dynamic_casters: CasterScene::new(),
+            culling,
             views: Vec::new(),
+            depths: Vec::new(),
             scratch: Scratch::default(),
             number: 0,
             serial: 0,
@@ -231,6 +252,7 @@ impl LightService {
     /// Forgets a view: its lights' squares become free.
     pub fn remove_view(&mut self, view: ViewId) {
         self.views.retain(|known| known.id != view);
+        self.depths.retain(|known| known.view != view);
         for served in self.lights.iter_mut().filter_map(|entry| entry.light.as_mut()) {
             served.shadows.retain(|shadow| {
                 if shadow.view == view
@@ -267,6 +289,7 @@ impl LightService {
         let mut served = ServedCase::new(device, queue, case, table, &self.options, &self.layers.main)?;
         self.meshes.add_all_to(&mut served.service, index)?;
         self.cases[index] = served;
+        self.depths.clear();
         for served in self
             .lights
             .iter_mut()
@@ -286,6 +309,11 @@ impl LightService {
     /// What executes a case: its bind group layouts for the engine's own pipelines.
     pub fn executor(&self, case: CaseHandle) -> Option<&ShadowService> {
         self.cases.get(case.0 as usize).map(|served| &served.service)
+    }
+
+    /// Where casters are culled: [`Culling::Gpu`] only if the options ask for it and the device can.
+    pub fn culling(&self) -> Culling {
+        if self.culling.is_some() { Culling::Gpu } else { Culling::Cpu }
     }
 
     /// Whether the device is lost; see [`ShadowService::device_lost`].
@@ -340,7 +368,7 @@ impl ServedCase {
         if size != (map.width(), map.height()) || texture_format(case.map.format) != map.format() {
             return Err(ServiceError::MixedMaps { case: case.name.clone() });
         }
-        // One queue of draws serves all lights: the CPU culls them.
+        // All cases are culled together.
         let options = Options { culling: Culling::Cpu, ..options.service };
         let service = ShadowService::sharing(device, queue, table, &options, map)?;
         Ok(Self { case: case.clone(), service })

@@ -9,7 +9,7 @@ use crate::alpha_mask::BoundMask;
 use crate::capture::{Attribute, Fetched, Stretched, StretchedMesh, VertexKey};
 use crate::casters::CasterScene;
 use crate::commands::{CommandScratch, FrameCommands, FrameStatistics};
-use crate::culling::{self, CulledFrame, Culling, CullingWork};
+use crate::culling::{CulledFrame, CulledWords, Culling, CullingWork};
 use crate::error::ServiceError;
 use crate::frame::PreparedFrame;
 use crate::gpu::Gpu;
@@ -54,6 +54,8 @@ pub struct ShadowService {
     meshes: Vec<MeshEntry>,
     /// What the device is to cull.
     leaving: Leaving,
+    /// Memory for records.
+    records: Vec<u8>,
 }
 
 /// Lists for culling on the device that keep their memory.
@@ -91,6 +93,7 @@ impl ShadowService {
             gpu,
             meshes: Vec::new(),
             leaving: Leaving::default(),
+            records: Vec::new(),
         })
     }
 
@@ -104,12 +107,19 @@ impl ShadowService {
     ) -> Result<Self, ServiceError> {
         let gpu = Gpu::new(device, queue, table, options, Some(map))?;
         let leaving = Leaving::default();
-        Ok(Self { table: table.clone(), options: *options, gpu, meshes: Vec::new(), leaving })
+        Ok(Self {
+            table: table.clone(),
+            options: *options,
+            gpu,
+            meshes: Vec::new(),
+            leaving,
+            records: Vec::new(),
+        })
     }
 
-    /// The table and what executes it.
-    pub(crate) fn parts_mut(&mut self) -> (&CaseTable, &mut Gpu) {
-        (&self.table, &mut self.gpu)
+    /// The table, what executes it, and memory for records.
+    pub(crate) fn parts_mut(&mut self) -> (&CaseTable, &mut Gpu, &mut Vec<u8>) {
+        (&self.table, &mut self.gpu, &mut self.records)
     }
 
     /// What executes the table.
@@ -199,12 +209,13 @@ impl ShadowService {
                 (commands, statistics, None)
             }
         };
+        let (table, records) = (&self.table, &mut self.records);
         let Gpu { device, queue, atlas, layouts, slots, identity, .. } = &mut self.gpu;
         let rows = commands.rows.len();
-        let slot = slots.acquire(device, &self.table, layouts, atlas, rows).and_then(|slot| {
+        let slot = slots.acquire(device, table, layouts, atlas, rows).and_then(|slot| {
             let plans = Plans { capture: plan, resolve: plan };
             let rows = [commands.rows.as_slice()];
-            let write = || upload(queue, &self.table, &layouts.uniforms, &slot, plans, view, &rows);
+            let write = || upload(queue, table, &layouts.uniforms, &slot, plans, view, &rows, records);
             checked(device, "a frame's upload", write)?;
             Ok(slot)
         });
@@ -230,8 +241,8 @@ impl ShadowService {
             Some(culled) => {
                 let Gpu { device, queue, .. } = &self.gpu;
                 let first_index = |mesh| self.mesh(mesh).map_or(0, Mesh::first_index);
-                let drawn = culling::drawn(device, queue, culled, &frame.commands, first_index);
-                self.gpu.alive(drawn)
+                let words = self.gpu.alive(CulledWords::read(device, queue, culled))?;
+                Ok(words.drawn(&frame.commands, first_index))
             }
         }
     }

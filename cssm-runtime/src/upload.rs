@@ -3,7 +3,7 @@
 use cssm_core::ShadowPlan;
 use cssm_core::View;
 use cssm_core::plan::DepthOrder;
-use cssm_core::table::{CaseTable, write_capture_record, write_mask_record, write_shadow_record};
+use cssm_core::table::{CaseTable, write_capture_record_to, write_mask_record_to, write_shadow_record_to};
 
 use crate::cull::InstanceRows;
 use crate::error::ServiceError;
@@ -65,7 +65,7 @@ pub(crate) fn check_plan(table: &CaseTable, plan: &ShadowPlan, view: &View) -> R
 }
 
 /// Writes all records and instance rows of a frame; to be called under an error scope. Capture records come from the
-/// plan that casters are drawn by, the others from the same facets relative to the view.
+/// plan that casters are drawn by, the others from the same facets relative to the view; `bytes` keeps its memory.
 pub(crate) fn upload(
     queue: &wgpu::Queue,
     table: &CaseTable,
@@ -74,24 +74,27 @@ pub(crate) fn upload(
     plans: Plans<'_>,
     view: &View,
     rows: &[&[InstanceRows]],
+    bytes: &mut Vec<u8>,
 ) {
-    let mut bytes = vec![0; layout.size as usize];
-    let mut put = |offset: u64, record: Vec<u8>| {
-        let offset = offset as usize;
-        bytes[offset..offset + record.len()].copy_from_slice(&record);
-    };
+    bytes.clear();
+    bytes.resize(layout.size as usize, 0);
     for (position, facet) in plans.capture.facets.iter().enumerate() {
-        let record = write_capture_record(table, plans.capture, facet);
-        put(position as u64 * layout.facet_stride, record);
+        let place = from(bytes, position as u64 * layout.facet_stride);
+        write_capture_record_to(table, plans.capture, facet, place);
     }
-    put(layout.shadow_offset, write_shadow_record(table, plans.resolve));
-    put(layout.mask_offset, write_mask_record(table, view));
-    queue.write_buffer(&slot.uniforms, 0, &bytes);
+    write_shadow_record_to(table, plans.resolve, from(bytes, layout.shadow_offset));
+    write_mask_record_to(table, view, from(bytes, layout.mask_offset));
+    queue.write_buffer(&slot.uniforms, 0, bytes);
     let mut offset = 0;
     for rows in rows.iter().filter(|rows| !rows.is_empty()) {
         queue.write_buffer(&slot.instances, offset, bytemuck::cast_slice(rows));
         offset += rows.len() as u64 * InstanceRows::BYTES;
     }
+}
+
+/// What follows an offset.
+fn from(bytes: &mut [u8], offset: u64) -> &mut [u8] {
+    bytes.get_mut(offset as usize..).unwrap_or_default()
 }
 
 /// One plan, or the same facets relative to two eyes.

@@ -1,5 +1,7 @@
 //! Many lights in one map: each as good as alone, nothing drawn that is there already, budgets kept, no frame lost.
 
+use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::LazyLock;
 
 use cssm_lab::gpu::{Gpu, SceneBuffers, Surface};
@@ -8,6 +10,7 @@ use cssm_lab::progress::Progress;
 use cssm_lab::scene::Scene;
 use cssm_lab::truth::{Frame, Tracer};
 use cssm_runtime::lights::{LightDescription, LightOptions, LightReport, LightState, Update};
+use cssm_runtime::{Command, Culling, FrameCommands, Options};
 
 const SIZE: (u32, u32) = (320, 180);
 const MAP_SIDE: u32 = 2048;
@@ -210,4 +213,101 @@ fn a_map_that_is_too_small_degrades_all_lights_evenly() {
     assert_eq!(pixels[0].1, 0, "{pixels:?}");
     assert!(pixels[1].0 + pixels[1].1 >= pixels[0].0, "{pixels:?}");
     assert!(pixels[1].2 > pixels[0].2, "{pixels:?}");
+}
+
+/// What each facet draws of each instance, which is known by its mesh and its rows: ranges of corners.
+type Drawn = BTreeMap<(u32, String, [u32; 12]), Vec<Range<u32>>>;
+
+fn drawn(commands: &FrameCommands) -> Drawn {
+    let (mut facet_here, mut mesh_here) = (0, String::new());
+    let mut drawn = Drawn::new();
+    for command in &commands.commands {
+        match command {
+            Command::Facet { facet, .. } => facet_here = facet.0,
+            Command::Mesh(mesh) => mesh_here = format!("{mesh:?}"),
+            Command::Draw { first, count, instances, .. } => {
+                for row in instances.clone() {
+                    let rows = commands.rows[row as usize].0;
+                    let bits = std::array::from_fn(|at| rows[at / 4][at % 4].to_bits());
+                    let key = (facet_here, mesh_here.clone(), bits);
+                    drawn.entry(key).or_default().push(*first..first + count);
+                }
+            }
+            Command::Pipeline(_) => {}
+            other => panic!("{other:?} was not read back"),
+        }
+    }
+    drawn
+}
+
+/// Corners that one list draws and another, of the same instances, does not.
+fn corners_beyond(one: &Drawn, other: &Drawn) -> u32 {
+    let of = |(key, ranges): (&(u32, String, [u32; 12]), &Vec<Range<u32>>)| -> u32 {
+        let other = &other[key];
+        let lacks = |corner: &u32| !other.iter().any(|range| range.contains(corner));
+        ranges.iter().map(|range| range.clone().filter(lacks).count() as u32).sum()
+    };
+    one.iter().map(of).sum()
+}
+
+#[test]
+fn lights_culled_on_the_device_see_the_same() {
+    let town = town(MAP_SIDE);
+    let (gpu, buffers) = open(&town);
+    let tracer = Tracer::new(&SCENE);
+    let options = |culling| LightOptions {
+        service: Options { culling, ..Options::default() },
+        ..LightOptions::default()
+    };
+    let [mut on_cpu, mut on_gpu] = [Culling::Cpu, Culling::Gpu].map(|culling| {
+        let host = Host::new(&gpu, &town, &buffers, &options(culling)).unwrap();
+        assert_eq!(host.runner.service.culling(), culling);
+        host
+    });
+    let frame = Frame::trace(&tracer, &town.view, &town.lights[0].light, &|_| ());
+    let surface = Surface::new(&gpu, &town.view, &frame).unwrap();
+    let (mut spared, mut changed) = (0, 0);
+    let mut before: Vec<f32> = Vec::new();
+    for cars in 0..3 {
+        let reports = [&mut on_cpu, &mut on_gpu].map(|host| {
+            host.frame(&town.view, cars).unwrap();
+            let report = host.runner.report();
+            (report.redrawn_texels, report.static_texels, with_texels(report))
+        });
+        assert_eq!(reports[0], reports[1]);
+        assert!(reports[0].0 > 0, "nothing was drawn in frame {cars}");
+
+        // Every facet of every light draws the same instances, and of those no more than the CPU, which also draws what
+        // lies between two clusters that reach.
+        let [cpu, gpu] = [&on_cpu, &on_gpu].map(|host| host.runner.commands().unwrap());
+        assert_eq!(cpu.len(), gpu.len());
+        for (cpu, gpu) in cpu.iter().zip(&gpu) {
+            let lists = [(&cpu.still, &gpu.still), (&cpu.fixed, &gpu.fixed), (&cpu.dynamic, &gpu.dynamic)];
+            for (cpu, gpu) in lists.map(|(cpu, gpu)| (drawn(cpu), drawn(gpu))) {
+                assert!(cpu.keys().eq(gpu.keys()), "frame {cars}");
+                assert_eq!(corners_beyond(&gpu, &cpu), 0, "frame {cars}");
+                spared += corners_beyond(&cpu, &gpu);
+            }
+        }
+
+        // So nothing differs that a light reaches. Where it does not, there is nothing to be seen, and texels may differ.
+        let mut seen_now = Vec::new();
+        for light in 0..8 {
+            let seen = |host: &Host| host.runner.visibility(host.handles[light], &surface).unwrap();
+            let (expected, found) = (seen(&on_cpu), seen(&on_gpu));
+            let source = &town.lights[light].light;
+            let reached =
+                frame.visible().filter(|(_, seen)| source.reaches(town.view.eye_world + seen.position));
+            let reached: Vec<usize> = reached.map(|(pixel, _)| pixel).collect();
+            let differing = reached.iter().filter(|pixel| expected[**pixel] != found[**pixel]).count();
+            assert_eq!(differing, 0, "light {light} in frame {cars}");
+            seen_now.extend(reached.iter().map(|pixel| found[*pixel]));
+        }
+        let dark = seen_now.iter().filter(|visible| **visible < 0.5).count();
+        assert!(dark > 1000, "only {dark} dark pixels");
+        changed += before.iter().zip(&seen_now).filter(|(before, now)| before != now).count();
+        before = seen_now;
+    }
+    assert!(spared > 1000, "no cluster was told apart");
+    assert!(changed > 0, "cars that drive would be seen");
 }

@@ -17,33 +17,41 @@ const UNREACHED: f32 = f32::MAX;
 
 /// Bytes of the record of kind [`RecordKind::Shadow`]; facets without receivers are zero.
 pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
-    let Some(record) = table.record(RecordKind::Shadow) else { return Vec::new() };
+    let mut bytes = zeroes(table, RecordKind::Shadow);
+    write_shadow_record_to(table, plan, &mut bytes);
+    bytes
+}
+
+/// [`write_shadow_record`] into memory that is there; nothing is written where the record does not fit.
+pub fn write_shadow_record_to(table: &CaseTable, plan: &ShadowPlan, bytes: &mut [u8]) {
+    let Some(record) = table.record(RecordKind::Shadow) else { return };
     let facet_record = table.record(RecordKind::Facet);
     let sign = plan.depth_order.sign();
     let turned = Turn::resolve(table, plan);
-    let mut bytes = vec![0; record.size_bytes as usize];
+    let Some(bytes) = bytes.get_mut(..record.size_bytes as usize) else { return };
+    bytes.fill(0);
     for field in record.fields.iter() {
         let offset = field.offset_bytes as usize;
         let stride = field.stride_bytes as usize;
         match field.meaning {
-            Meaning::Borders => put_rows(&mut bytes, offset, &plan.selection.borders, &turned),
+            Meaning::Borders => put_rows(bytes, offset, &plan.selection.borders, &turned),
             Meaning::Split => {
-                put_rows(&mut bytes, offset, plan.selection.split.as_slice(), &turned);
+                put_rows(bytes, offset, plan.selection.split.as_slice(), &turned);
             }
             Meaning::Dominant => {
-                put_rows(&mut bytes, offset, plan.selection.dominant.as_slice().as_flattened(), &turned);
+                put_rows(bytes, offset, plan.selection.dominant.as_slice().as_flattened(), &turned);
             }
             Meaning::Units => {
                 for sector in 0..(table.halves * table.sectors) as usize {
                     let unit = plan.selection.units.get(sector).copied().unwrap_or(DVec4::W);
-                    put_row(&mut bytes, offset + sector * stride, turned.row(unit));
+                    put_row(bytes, offset + sector * stride, turned.row(unit));
                 }
             }
             Meaning::LightPosition => {
                 let turn = Turn::unsheared(table, plan);
-                put_row(&mut bytes, offset, turn.direction(plan.light));
+                put_row(bytes, offset, turn.direction(plan.light));
             }
-            Meaning::Distances => put_rows(&mut bytes, offset, &plan.selection.distances, &turned),
+            Meaning::Distances => put_rows(bytes, offset, &plan.selection.distances, &turned),
             Meaning::Thresholds => {
                 let vectors = (table.bands as usize - 1).div_ceil(4);
                 for sector in 0..(table.halves * table.sectors) as usize {
@@ -51,38 +59,44 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
                     for index in 0..vectors * 4 {
                         let limit = limits.and_then(|limits| limits.get(index));
                         let limit = limit.map_or(UNREACHED, |limit| (*limit as f32).min(UNREACHED));
-                        put(&mut bytes, offset + sector * stride * vectors + index * 4, limit);
+                        put(bytes, offset + sector * stride * vectors + index * 4, limit);
                     }
                 }
             }
-            Meaning::TowardLight => put_row(&mut bytes, offset, turned.direction(plan.light)),
+            Meaning::TowardLight => put_row(bytes, offset, turned.direction(plan.light)),
             Meaning::Shear => {
                 let (leading, rest) = shear_parts(plan.shear);
-                put_row(&mut bytes, offset, DVec4::new(leading.x, leading.y, rest.x, rest.y));
+                put_row(bytes, offset, DVec4::new(leading.x, leading.y, rest.x, rest.y));
             }
-            Meaning::PixelMetres => put_row(&mut bytes, offset, turned.row(plan.pixel_metres)),
-            Meaning::DepthSign => put(&mut bytes, offset, sign as f32),
+            Meaning::PixelMetres => put_row(bytes, offset, turned.row(plan.pixel_metres)),
+            Meaning::DepthSign => put(bytes, offset, sign as f32),
             Meaning::Facets => {
                 let Some(facet_record) = facet_record else { continue };
                 let write = FacetWriter { record: facet_record, turned: &turned, sign };
                 for (facet, cell) in
                     plan.facets.iter().flat_map(|facet| facet.cells.iter().map(move |cell| (facet, cell)))
                 {
-                    write.facet(&mut bytes, offset + *cell as usize * stride, facet);
+                    write.facet(bytes, offset + *cell as usize * stride, facet);
                 }
             }
             _ => {}
         }
     }
-    bytes
 }
 
 /// Bytes of the record of kind [`RecordKind::Capture`] for one facet of a plan.
 pub fn write_capture_record(table: &CaseTable, plan: &ShadowPlan, facet: &Facet) -> Vec<u8> {
-    let Some(record) = table.record(RecordKind::Capture) else { return Vec::new() };
-    let mut bytes = vec![0; record.size_bytes as usize];
-    FacetWriter { record, turned: &Turn::capture(plan), sign: 1.0 }.facet(&mut bytes, 0, facet);
+    let mut bytes = zeroes(table, RecordKind::Capture);
+    write_capture_record_to(table, plan, facet, &mut bytes);
     bytes
+}
+
+/// [`write_capture_record`] into memory that is there; nothing is written where the record does not fit.
+pub fn write_capture_record_to(table: &CaseTable, plan: &ShadowPlan, facet: &Facet, bytes: &mut [u8]) {
+    let Some(record) = table.record(RecordKind::Capture) else { return };
+    let Some(bytes) = bytes.get_mut(..record.size_bytes as usize) else { return };
+    bytes.fill(0);
+    FacetWriter { record, turned: &Turn::capture(plan), sign: 1.0 }.facet(bytes, 0, facet);
 }
 
 /// Bytes of the record of kind [`RecordKind::CasterMask`].
@@ -97,8 +111,16 @@ pub fn write_caster_mask_record(table: &CaseTable, alpha_cutoff: f32) -> Vec<u8>
 
 /// Bytes of the record of kind [`RecordKind::Mask`] for a view.
 pub fn write_mask_record(table: &CaseTable, view: &View) -> Vec<u8> {
-    let Some(record) = table.record(RecordKind::Mask) else { return Vec::new() };
-    let mut bytes = vec![0; record.size_bytes as usize];
+    let mut bytes = zeroes(table, RecordKind::Mask);
+    write_mask_record_to(table, view, &mut bytes);
+    bytes
+}
+
+/// [`write_mask_record`] into memory that is there; nothing is written where the record does not fit.
+pub fn write_mask_record_to(table: &CaseTable, view: &View, bytes: &mut [u8]) {
+    let Some(record) = table.record(RecordKind::Mask) else { return };
+    let Some(bytes) = bytes.get_mut(..record.size_bytes as usize) else { return };
+    bytes.fill(0);
     let to_axes = match table.axes {
         Axes::World => view.camera_from_world.transpose(),
         Axes::Camera => DMat3::IDENTITY,
@@ -108,16 +130,15 @@ pub fn write_mask_record(table: &CaseTable, view: &View) -> Vec<u8> {
     let down = DVec3::Y * (view.bottom - view.top);
     for field in record.fields.iter() {
         let offset = field.offset_bytes as usize;
-        let mut direction = |ray: DVec3| put_row(&mut bytes, offset, (to_axes * ray).extend(0.0));
+        let mut direction = |ray: DVec3| put_row(bytes, offset, (to_axes * ray).extend(0.0));
         match field.meaning {
             Meaning::RayCorner => direction(corner),
             Meaning::RayAcross => direction(across),
             Meaning::RayDown => direction(down),
-            Meaning::InverseDepth => put_inverse_depth(&mut bytes, offset, view),
+            Meaning::InverseDepth => put_inverse_depth(bytes, offset, view),
             _ => {}
         }
     }
-    bytes
 }
 
 /// Bytes of the record of kind [`RecordKind::Fit`] for a view.
@@ -133,6 +154,11 @@ pub fn write_fit_record(table: &CaseTable, view: &View) -> Vec<u8> {
         }
     }
     bytes
+}
+
+/// A record's bytes before anything is written.
+fn zeroes(table: &CaseTable, kind: RecordKind) -> Vec<u8> {
+    vec![0; table.record(kind).map_or(0, |record| record.size_bytes as usize)]
 }
 
 /// From stored reversed-z depth to one over depth.

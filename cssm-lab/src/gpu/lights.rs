@@ -2,7 +2,7 @@
 
 use cssm_core::table::CaseTable;
 use cssm_core::{LightCase, ShadowPlan, View};
-use cssm_runtime::lights::{LightFrame, LightHandle, LightOptions, LightReport, ViewId};
+use cssm_runtime::lights::{LightCommands, LightFrame, LightHandle, LightOptions, LightReport, ViewId};
 use cssm_runtime::{LightService, PreparedLights, read_back};
 
 use super::function::{FunctionPipeline, VISIBILITY_FORMAT};
@@ -90,6 +90,14 @@ impl<'g> LightRunner<'g> {
     /// The plan of a light relative to a view's eye, if the last frame has one.
     pub fn plan(&self, light: LightHandle, view: &View) -> Option<ShadowPlan> {
         self.service.plan(light, ViewId::default()).map(|plan| plan.rebased(view))
+    }
+
+    /// What the tiles of every light draw in the last frame. Blocks.
+    ///
+    /// # Errors
+    /// What the service says.
+    pub fn commands(&self) -> Result<Vec<LightCommands>, GpuError> {
+        Ok(self.service.read_commands(&self.prepared)?)
     }
 
     /// Stored depths of the shared map. Blocks.

@@ -15,7 +15,7 @@ pub(super) fn hash(instance: &CasterInstance) -> u64 {
 }
 
 /// Spreads every bit over all others (finaliser of MurmurHash3).
-fn mixed(mut hash: u64) -> u64 {
+pub(crate) fn mixed(mut hash: u64) -> u64 {
     for factor in [0xff51_afd7_ed55_8ccd, 0xc4ce_b9fe_1a85_ec53] {
         hash = (hash ^ hash >> 33).wrapping_mul(factor);
     }

@@ -3,6 +3,7 @@
 use cssm_core::fit::DepthHistogram;
 use cssm_core::{BoundingBox, Light, SceneBounds, View};
 
+use super::engine::EngineCaster;
 use crate::error::ServiceError;
 use crate::mesh::CasterInstance;
 use crate::service::Options;
@@ -103,12 +104,17 @@ pub struct LightFrame<'a> {
     pub volumes_world: &'a [BoundingBox],
     /// Depth in metres before which nothing is visible in this frame, for cases that declare a fit.
     pub near_hint_metres: Option<f64>,
-    /// Depth as [`crate::DepthReduction`] measured it, in this frame or an earlier one, for cases whose fit measures depth.
+    /// Depth as [`crate::DepthReduction`] measured it, in this frame or an earlier one, for cases whose fit measures depth;
+    /// in the place of what [`LightService::observe_depth`](super::LightService::observe_depth) measures.
     pub depth: Option<&'a DepthHistogram>,
     /// Casters that rarely change.
     pub static_casters: &'a [CasterInstance],
     /// Casters that may change every frame.
     pub dynamic_casters: &'a [CasterInstance],
+    /// Casters that rarely change and that the engine draws by itself, in [`super::LightService::capture_with`].
+    pub static_engine_casters: &'a [EngineCaster],
+    /// Casters that may change every frame and that the engine draws by itself.
+    pub dynamic_engine_casters: &'a [EngineCaster],
 }
 
 impl<'a> LightFrame<'a> {
@@ -127,6 +133,8 @@ impl<'a> LightFrame<'a> {
             depth: None,
             static_casters,
             dynamic_casters,
+            static_engine_casters: &[],
+            dynamic_engine_casters: &[],
         }
     }
 }
@@ -134,7 +142,8 @@ impl<'a> LightFrame<'a> {
 /// Choices of the engine for all lights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightOptions {
-    /// Mask format and material stages; casters of many lights are culled on the CPU, whatever it says.
+    /// Mask format and material stages, and where casters are culled: with [`Culling::Gpu`](crate::Culling::Gpu) those of all
+    /// tiles that a frame draws in one go.
     pub service: Options,
     /// Texels that may be redrawn in a frame for changes that can wait; what cannot wait is drawn in any case and counts
     /// first.

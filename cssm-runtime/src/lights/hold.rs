@@ -1,5 +1,6 @@
 //! Plans that outlive their frame: made for a view that is a little wider than the present one.
 
+use cssm_core::case::Fit;
 use cssm_core::case::Stability;
 use cssm_core::glam::DVec3;
 use cssm_core::plan::{PlanRequest, ViewMargin};
@@ -13,6 +14,10 @@ const NEAREST_REACH: f64 = 2.0;
 const MARGIN_COST: f64 = 1.05;
 /// How much larger it may become before the plan is given up.
 const HOLD_COST: f64 = 1.1;
+/// Share of the pixels at other depths than a plan was fitted to, beyond which it is given up.
+const SHIFTED_SHARE: f64 = 0.1;
+/// Octaves by which the range of visible depth may differ from the one that a plan was fitted to.
+const SHIFTED_OCTAVES: f64 = 0.25;
 /// Growth of the reach with every plan, so that a margin is tried again some time after it was given up.
 const REACH_GROWTH: f64 = 1.15;
 
@@ -71,7 +76,30 @@ pub(super) fn need(held: Option<&mut Held>, request: &PlanRequest, hold: bool) -
         return Need::Another;
     }
     let cost = held.pixels(request.view) / held.best_pixels;
-    if held.light != *request.light || cost > HOLD_COST { Need::Better } else { Need::Nothing }
+    let is_behind = held.light != *request.light || cost > HOLD_COST || has_shifted(held, request);
+    if is_behind { Need::Better } else { Need::Nothing }
+}
+
+/// Whether pixels are at other depths than those that a plan was fitted to, or are known of for the first time.
+fn has_shifted(held: &Held, request: &PlanRequest) -> bool {
+    let fit = request.case.fit;
+    let Some(depth) = request.depth.filter(|depth| fit.measures_depth() && depth.is_usable()) else {
+        return false;
+    };
+    let Some(known) = held.depth.as_deref() else { return true };
+    if known.view.near_metres != depth.view.near_metres {
+        return true;
+    }
+    let octaves = |one: f64, other: f64| (one / other).log2().abs();
+    let moved = octaves(known.nearest_metres, depth.nearest_metres)
+        .max(octaves(known.farthest_metres, depth.farthest_metres));
+    let (all, all_known) = (depth.pixels(), known.pixels());
+    let bins = depth.bins.iter().zip(&known.bins);
+    let elsewhere: f64 = bins.map(|(one, other)| (one.pixels / all - other.pixels / all_known).abs()).sum();
+    match fit {
+        Fit::Histogram => 0.5 * elsewhere > SHIFTED_SHARE,
+        _ => moved > SHIFTED_OCTAVES,
+    }
 }
 
 /// A plan for a request, with a margin for `reach` times the motion where that costs little, and the predicted footprint

@@ -5,15 +5,17 @@ use cssm_core::facet::Facet;
 use cssm_core::plan::{MapRegion, PlanRequest};
 use cssm_core::{LightCase, PlanError, ShadowPlan, View};
 
+use super::content::Sources;
 use super::description::{LightDescription, LightFrame, LightHandle, Update};
+use super::engine;
 use super::hold::{self, Motion, Need};
 use super::prepared::{PreparedLights, PreparedShadow};
 use super::report::{LightState, LightStatistics, TileStatistics};
 use super::scissor::scissor;
-use super::shadow::{Content, Fill, Held, Shadow, TileState, TileWork, is_measured};
+use super::shadow::{Fill, Held, Shadow, TileState, TileWork, is_measured};
 use super::{LightService, Scratch, ServedCase, ServedView};
-use crate::casters::CasterScene;
 use crate::commands::{FrameCommands, MeshFacts};
+use crate::culling::GpuCulling;
 use crate::error::ServiceError;
 use crate::frame::PreparedFrame;
 use crate::gpu::Gpu;
@@ -40,6 +42,8 @@ impl LightService {
         self.update_casters(frame)?;
         self.number += 1;
         let motion = self.motion(frame);
+        let depth = self.depth_now(frame);
+        let frame = &LightFrame { depth: frame.depth.or(depth.as_ref()), ..*frame };
 
         // Plan, and share the map anew where a square turns out too small.
         let mut moved = 0;
@@ -68,6 +72,8 @@ impl LightService {
     }
 
     fn update_casters(&mut self, frame: &LightFrame) -> Result<(), ServiceError> {
+        engine::check("static", frame.static_engine_casters)?;
+        engine::check("dynamic", frame.dynamic_engine_casters)?;
         let Self { meshes, cases, static_casters, dynamic_casters, .. } = self;
         let first = cases.first().ok_or(ServiceError::NoCases)?;
         let facts = |mesh| meshes.facts(&first.service, 0, mesh);
@@ -133,7 +139,8 @@ impl LightService {
     fn replan(&mut self, frame: &LightFrame, motion: Option<Motion>) -> (u32, bool) {
         let (mut planned, mut is_short) = (0, false);
         let mut left_texels = self.options.redrawn_texels;
-        let mut wishes: Vec<(f64, usize)> = Vec::new();
+        let mut wishes = std::mem::take(&mut self.scratch.wishes);
+        wishes.clear();
         for index in 0..self.lights.len() {
             let turn = self.is_its_turn(index);
             let Some((served, shadow, case)) = parts(&mut self.lights, &self.cases, index, frame) else {
@@ -166,7 +173,7 @@ impl LightService {
 
         // What could be better comes after what must be, the worst first.
         wishes.sort_unstable_by(|one, other| other.0.total_cmp(&one.0).then(one.1.cmp(&other.1)));
-        for (_, index) in wishes {
+        for (_, index) in wishes.drain(..) {
             let Some((served, shadow, case)) = parts(&mut self.lights, &self.cases, index, frame) else {
                 continue;
             };
@@ -179,6 +186,7 @@ impl LightService {
             let request = request(&case.case, served, frame, Some(region));
             is_short |= shadow.plan(&request, motion, self.serial, served);
         }
+        self.scratch.wishes = wishes;
         (planned, is_short)
     }
 
@@ -198,9 +206,11 @@ impl LightService {
         next.report.map_texels = u64::from(self.layers.main.width()) * u64::from(self.layers.main.height());
         let mut left_texels = self.options.redrawn_texels;
         let mut draws_still = false;
+        self.scratch.work.clear();
         for index in 0..self.lights.len() {
             let turn = self.is_its_turn(index);
-            let Self { lights, cases, static_casters, dynamic_casters, scratch, meshes, .. } = self;
+            let Self { lights, cases, static_casters, dynamic_casters, scratch, meshes, culling, .. } = self;
+            let sources = Sources::new(static_casters, dynamic_casters, frame);
             let Some(entry) = lights.get_mut(index) else { continue };
             let light = LightHandle { index: index as u32, generation: entry.generation };
             let Some(served) = &mut entry.light else { continue };
@@ -211,7 +221,7 @@ impl LightService {
             next.report.owned_texels += shadow.region().map_or(0, texels);
             let case_index = description.case.0 as usize;
             let Some(case) = cases.get_mut(case_index) else { continue };
-            let mut statistics = shadow.statistics(light, frame.view);
+            let mut statistics = shadow.statistics(light, frame.view, next.tiles.pop().unwrap_or_default());
             let Some(held) = &mut shadow.held else {
                 next.report.lights.push(statistics);
                 continue;
@@ -222,7 +232,7 @@ impl LightService {
             let is_first = held.frames == 0;
             let plan = &held.plan;
             for (position, state) in held.tiles.iter_mut().enumerate() {
-                let content = state.content_now(plan, static_casters, dynamic_casters, scratch);
+                let content = state.content_now(light, plan, &sources, &mut scratch.commands);
                 let Some(work) = state.work(content, is_first) else { continue };
                 let side = state.tile.texels();
                 if state.shown.is_some() && (!turn || side > left_texels) {
@@ -232,20 +242,14 @@ impl LightService {
                 left_texels = left_texels.saturating_sub(side);
                 draws_still |= work.draw_still;
                 part.works.push((position, state.tile, work));
+                sources.list_engine_draws(light, plan, (state, &work), &mut part.engine);
             }
             let facts = |mesh| meshes.facts(&case.service, case_index, mesh);
-            part.build(
-                &held.plan,
-                &held.tiles,
-                static_casters,
-                dynamic_casters,
-                facts,
-                scratch,
-                &mut statistics,
-            )?;
+            part.build(&held.plan, &held.tiles, &sources, facts, culling.as_ref(), scratch, &mut statistics)?;
             let static_texels = part.works.iter().filter(|(.., work)| work.draw_still);
             let static_texels: u64 = static_texels.map(|(_, tile, _)| tile.texels()).sum();
-            next.report.add(&statistics, static_texels);
+            let engine_facets = part.engine.len() as u32;
+            next.report.add(&statistics, static_texels, engine_facets);
             if held.light != description.light && statistics.state == LightState::Current {
                 statistics.state = LightState::Waits;
             }
@@ -253,21 +257,19 @@ impl LightService {
 
             // Upload the records relative to this frame's eye.
             let Some(part) = next.shadows.get_mut(next.used - 1) else { continue };
-            let rebased;
-            let resolve = if held.is_of(frame.view) {
-                &held.plan
-            } else {
-                rebased = held.plan.rebased(frame.view);
-                &rebased
-            };
+            let (capture, resolve) = held.seen_from(frame.view);
             part.scissor = scissor(resolve, frame.view);
-            part.frame = Some(uploaded(case, &held.plan, resolve, frame.view, part)?);
+            part.frame = Some(uploaded(case, capture, resolve, frame.view, part)?);
             next.report.lights.push(statistics);
         }
         next.report.waiting =
             next.report.lights.iter().filter(|light| light.state == LightState::Waits).count() as u32;
         if draws_still {
             self.layers.keep_still_casters(&self.device)?;
+        }
+        let Self { device, queue, culling, scratch, .. } = self;
+        if let Some(culling) = culling {
+            next.culled = culling.upload(device, queue, &scratch.work)?;
         }
         Ok(())
     }
@@ -328,8 +330,7 @@ impl Shadow {
         match hold::plan(request, motion, &mut self.reach) {
             Ok((plan, best_pixels)) => {
                 self.estimate(&plan, request.view, side, description);
-                self.held =
-                    (!plan.facets.is_empty()).then(|| Held::new(plan, serial, *request.light, best_pixels));
+                self.held = (!plan.facets.is_empty()).then(|| Held::new(plan, serial, request, best_pixels));
                 false
             }
             Err(PlanError::MapTooSmall { .. }) if side < description.max_side_texels => {
@@ -355,7 +356,7 @@ impl Shadow {
     }
 
     /// What is known before anything is drawn.
-    fn statistics(&mut self, light: LightHandle, view: &View) -> LightStatistics {
+    fn statistics(&mut self, light: LightHandle, view: &View, tiles: Vec<TileStatistics>) -> LightStatistics {
         let p95_pixels = self.held.as_mut().map_or(f64::INFINITY, |held| held.pixels(view));
         let state = match (&self.failure, &self.held, self.pixels_times_side) {
             (Some(error), ..) => LightState::Failed(error.clone()),
@@ -374,35 +375,8 @@ impl Shadow {
             redrawn_texels: 0,
             draws: 0,
             triangles: 0,
-            tiles: Vec::new(),
+            tiles,
         }
-    }
-}
-
-impl TileState {
-    /// Hashes of the casters that the tile should show.
-    fn content_now(
-        &mut self,
-        plan: &ShadowPlan,
-        static_casters: &CasterScene,
-        dynamic_casters: &CasterScene,
-        scratch: &mut Scratch,
-    ) -> Content {
-        let revisions = (static_casters.revision(), dynamic_casters.revision());
-        let mut sum = |casters: &CasterScene| {
-            let facets = self.facets.iter();
-            facets.fold(0_u64, |sum, facet| {
-                let content = FrameCommands::content(plan, *facet, casters, &mut scratch.commands);
-                sum.rotate_left(1).wrapping_add(content)
-            })
-        };
-        let (known, content) = self.wanted.unwrap_or((revisions, Content { fixed: 0, dynamic: 0 }));
-        let is_known = self.wanted.is_some();
-        let fixed = if is_known && known.0 == revisions.0 { content.fixed } else { sum(static_casters) };
-        let dynamic = if is_known && known.1 == revisions.1 { content.dynamic } else { sum(dynamic_casters) };
-        let content = Content { fixed, dynamic };
-        self.wanted = Some((revisions, content));
-        content
     }
 }
 
@@ -416,26 +390,29 @@ impl PreparedShadow {
         &mut self,
         plan: &ShadowPlan,
         tiles: &[TileState],
-        static_casters: &CasterScene,
-        dynamic_casters: &CasterScene,
+        sources: &Sources,
         facts: impl Fn(MeshHandle) -> Option<MeshFacts<'m>>,
+        culling: Option<&GpuCulling>,
         scratch: &mut Scratch,
         statistics: &mut LightStatistics,
     ) -> Result<(), ServiceError> {
         let Self { works, still, fixed, dynamic, .. } = self;
-        let Scratch { commands: memory, statistics: counts, .. } = scratch;
+        let Scratch { commands: memory, statistics: counts, work: left, .. } = scratch;
         let drawn_still: fn(&TileWork) -> bool = |work| work.draw_still;
         let drawn_fixed: fn(&TileWork) -> bool = |work| work.fill == Fill::Draw;
         let drawn_dynamic: fn(&TileWork) -> bool = |work| work.content.dynamic != 0;
         let lists = [
-            (still, drawn_still, static_casters, "static"),
-            (fixed, drawn_fixed, static_casters, "static"),
-            (dynamic, drawn_dynamic, dynamic_casters, "dynamic"),
+            (still, drawn_still, sources.fixed, "static"),
+            (fixed, drawn_fixed, sources.fixed, "static"),
+            (dynamic, drawn_dynamic, sources.dynamic, "dynamic"),
         ];
         for (list, is_drawn, casters, name) in lists {
             let chosen = works.iter().filter(|(.., work)| is_drawn(work));
             let facets = chosen.flat_map(|(position, ..)| tiles[*position].facets.iter().copied());
-            let rebuilt = list.rebuild(plan, facets, casters, &facts, memory, counts);
+            let rebuilt = match culling {
+                None => list.rebuild(plan, facets, casters, &facts, memory, counts),
+                Some(culling) => culling.rebuild(list, plan, facets, casters, &facts, memory, counts, left),
+            };
             rebuilt.map_err(|source| ServiceError::Casters { list: name, source: Box::new(source) })?;
             statistics.draws += counts.draws;
             statistics.triangles += counts.triangles;
@@ -463,14 +440,14 @@ fn uploaded(
     view: &View,
     part: &PreparedShadow,
 ) -> Result<PreparedFrame, ServiceError> {
-    let (table, gpu) = case.service.parts_mut();
+    let (table, gpu, records) = case.service.parts_mut();
     check_plan(table, resolve, view)?;
     let rows = [part.still.rows.as_slice(), part.fixed.rows.as_slice(), part.dynamic.rows.as_slice()];
     let count = rows.iter().map(|rows| rows.len()).sum();
     let Gpu { device, queue, atlas, layouts, slots, identity, .. } = gpu;
     let slot = slots.acquire(device, table, layouts, atlas, count).and_then(|slot| {
         let plans = Plans { capture, resolve };
-        let write = || upload(queue, table, &layouts.uniforms, &slot, plans, view, &rows);
+        let write = || upload(queue, table, &layouts.uniforms, &slot, plans, view, &rows, records);
         checked(device, "a light's upload", write)?;
         Ok(slot)
     });

@@ -5,9 +5,11 @@ use std::sync::Arc;
 use cssm_core::facet::Tile;
 
 use super::description::{LightHandle, ViewId};
-use super::report::LightReport;
+use super::engine::EngineDraw;
+use super::report::{LightReport, TileStatistics};
 use super::shadow::TileWork;
 use crate::commands::FrameCommands;
+use crate::culling::CulledFrame;
 use crate::frame::PreparedFrame;
 
 /// One view of one frame: what [`LightService::prepare`](super::LightService::prepare) fills.
@@ -24,6 +26,23 @@ pub struct PreparedLights {
     /// Number of the shadows in use; the others keep their memory.
     pub(super) used: usize,
     pub(super) report: LightReport,
+    /// Lists for the report, those of its first lights last.
+    pub(super) tiles: Vec<Vec<TileStatistics>>,
+    /// What the device culls for all of them.
+    pub(super) culled: Option<Arc<CulledFrame>>,
+}
+
+/// What the tiles of one light that change in a frame draw of the service's own casters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LightCommands {
+    /// The light.
+    pub light: LightHandle,
+    /// Static casters, into the map of casters that stay.
+    pub still: FrameCommands,
+    /// Static casters, into the shared map.
+    pub fixed: FrameCommands,
+    /// Dynamic casters, into the shared map.
+    pub dynamic: FrameCommands,
 }
 
 /// One light's part.
@@ -43,6 +62,8 @@ pub(super) struct PreparedShadow {
     pub(super) fixed: FrameCommands,
     /// Draws of dynamic casters into the shared map.
     pub(super) dynamic: FrameCommands,
+    /// Draws of the engine's own casters.
+    pub(super) engine: Vec<EngineDraw>,
     /// Pixels of the view that the light can reach, x, y, width and height; `None`: all.
     pub(super) scissor: Option<[u32; 4]>,
 }
@@ -84,9 +105,12 @@ impl PreparedLights {
         self.view = view;
         self.number = number;
         self.used = 0;
+        self.culled = None;
         for shadow in &mut self.shadows {
             shadow.frame = None;
         }
+        let lists = self.report.lights.drain(..).rev();
+        self.tiles.extend(lists.map(|light| TileStatistics::emptied(light.tiles)));
         self.report.reset();
     }
 
@@ -102,6 +126,7 @@ impl PreparedLights {
                 still: FrameCommands::default(),
                 fixed: FrameCommands::default(),
                 dynamic: FrameCommands::default(),
+                engine: Vec::new(),
                 scissor: None,
             });
         }
@@ -111,6 +136,7 @@ impl PreparedLights {
         shadow.case = case;
         shadow.serial = serial;
         shadow.works.clear();
+        shadow.engine.clear();
         shadow
     }
 }

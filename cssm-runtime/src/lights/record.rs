@@ -4,12 +4,15 @@ use std::sync::Arc;
 
 use super::LightService;
 use super::description::LightHandle;
-use super::prepared::{PreparedLights, PreparedShadow};
+use super::engine::LightFacet;
+use super::prepared::{LightCommands, PreparedLights, PreparedShadow};
 use super::shadow::Fill;
 use crate::capture::Records;
 use crate::commands::FrameCommands;
+use crate::culling::{CulledFrame, CulledWords};
 use crate::error::ServiceError;
 use crate::frame::{PreparedFrame, Slot};
+use crate::mesh::Mesh;
 use crate::resolve::MaskInputs;
 
 impl LightService {
@@ -19,16 +22,34 @@ impl LightService {
     /// Prepare, capture and submit each frame in this order; what was prepared and not captured is prepared again.
     ///
     /// # Errors
-    /// [`ServiceError::StaleFrame`] for a frame that is not the view's last, or draws meshes that were removed.
+    /// [`ServiceError::StaleFrame`] for a frame that is not the view's last, or draws meshes that were removed;
+    /// [`ServiceError::EngineCasters`] for one with casters that only [`LightService::capture_with`] can draw.
     pub fn capture(
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
         frame: &PreparedLights,
         timestamps: Option<wgpu::RenderPassTimestampWrites>,
     ) -> Result<(), ServiceError> {
+        if frame.in_use().iter().any(|shadow| !shadow.engine.is_empty()) {
+            return Err(ServiceError::EngineCasters);
+        }
+        self.record(encoder, frame, timestamps, &mut |_, _| {})
+    }
+
+    /// Records the capture; `engine` draws casters of the engine's own.
+    pub(super) fn record(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &PreparedLights,
+        timestamps: Option<wgpu::RenderPassTimestampWrites>,
+        engine: &mut dyn FnMut(&mut wgpu::RenderPass, LightFacet),
+    ) -> Result<(), ServiceError> {
         self.check_frame(frame)?;
         self.check_meshes(frame)?;
-        let shadows = frame.in_use();
+        let (shadows, culled) = (frame.in_use(), frame.culled.as_deref());
+        if let (Some(culling), Some(culled)) = (&self.culling, culled) {
+            culling.record(encoder, culled);
+        }
 
         // Draw static casters that are to be kept.
         let still = shadows.iter().any(|shadow| shadow.works.iter().any(|(.., work)| work.draw_still));
@@ -40,7 +61,8 @@ impl LightService {
                 }
             }
             for (shadow, frame) in prepared(shadows) {
-                self.draw(&mut pass, (shadow, frame), &shadow.still, 0);
+                self.draw(&mut pass, (shadow, frame), culled, &shadow.still, 0);
+                self.draw_engine(&mut pass, (shadow, frame), true, engine);
             }
         }
 
@@ -57,9 +79,10 @@ impl LightService {
             }
             for (shadow, frame) in prepared(shadows) {
                 let first = shadow.still.rows.len();
-                self.draw(&mut pass, (shadow, frame), &shadow.fixed, first);
+                self.draw(&mut pass, (shadow, frame), culled, &shadow.fixed, first);
                 let first = first + shadow.fixed.rows.len();
-                self.draw(&mut pass, (shadow, frame), &shadow.dynamic, first);
+                self.draw(&mut pass, (shadow, frame), culled, &shadow.dynamic, first);
+                self.draw_engine(&mut pass, (shadow, frame), false, engine);
             }
         }
 
@@ -108,17 +131,44 @@ impl LightService {
         Ok(())
     }
 
+    /// What the tiles of every light draw in a frame, as plain lists; of what is culled on the device, what culling has
+    /// left when the frame was captured last. Lights without shadows are left out. Blocks; see
+    /// [`buffer_bytes`](crate::read_back::buffer_bytes).
+    ///
+    /// # Errors
+    /// [`ServiceError::StaleFrame`], a lost device.
+    pub fn read_commands(&self, frame: &PreparedLights) -> Result<Vec<LightCommands>, ServiceError> {
+        self.check_frame(frame)?;
+        let words = match &frame.culled {
+            None => None,
+            Some(culled) => Some(CulledWords::read(&self.device, &self.queue, culled)?),
+        };
+        let of_light = |shadow: &PreparedShadow| {
+            let served = self.cases.get(shadow.case)?;
+            let mesh = |mesh| self.meshes.mesh(&served.service, shadow.case, mesh);
+            let first_index = |handle| mesh(handle).map_or(0, Mesh::first_index);
+            let read = |commands: &FrameCommands| match &words {
+                None => commands.clone(),
+                Some(words) => words.drawn(commands, first_index),
+            };
+            let [still, fixed, dynamic] = [&shadow.still, &shadow.fixed, &shadow.dynamic].map(read);
+            Some(LightCommands { light: shadow.light, still, fixed, dynamic })
+        };
+        Ok(frame.in_use().iter().filter_map(of_light).collect())
+    }
+
     fn draw(
         &self,
         pass: &mut wgpu::RenderPass,
         (shadow, frame): (&PreparedShadow, &PreparedFrame),
+        culled: Option<&CulledFrame>,
         commands: &FrameCommands,
         first_row: usize,
     ) {
         let Some(served) = self.cases.get(shadow.case) else { return };
         let gpu = served.service.gpu();
         let facet_stride = gpu.layouts.uniforms.facet_stride;
-        let records = Records { slot: &frame.slot, facet_stride, order: frame.depth_order, culled: None };
+        let records = Records { slot: &frame.slot, facet_stride, order: frame.depth_order, culled };
         let mesh = |mesh| self.meshes.mesh(&served.service, shadow.case, mesh);
         gpu.capture.record(pass, commands, records, first_row, mesh);
     }
@@ -226,5 +276,6 @@ fn lit(encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
 /// Holds a frame's slots until the encoder's work is done, or the encoder is dropped.
 fn keep_until_done(encoder: &wgpu::CommandEncoder, frame: &PreparedLights) {
     let slots: Vec<Arc<Slot>> = prepared(frame.in_use()).map(|(_, frame)| Arc::clone(&frame.slot)).collect();
-    encoder.on_submitted_work_done(move || drop(slots));
+    let held = (slots, frame.culled.clone());
+    encoder.on_submitted_work_done(move || drop(held));
 }

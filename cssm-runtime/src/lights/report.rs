@@ -23,6 +23,8 @@ pub struct LightReport {
     pub draws: u32,
     /// Triangles submitted.
     pub triangles: u64,
+    /// Facets that the engine is asked to draw its own casters into, static and dynamic ones apart.
+    pub engine_facets: u32,
     /// Lights that were planned anew.
     pub planned: u32,
     /// Lights whose changes wait for the budget or their update rate.
@@ -82,9 +84,18 @@ pub struct TileStatistics {
     pub redrawn: bool,
 }
 
+impl TileStatistics {
+    /// An empty list in the memory of another.
+    pub(super) fn emptied(mut list: Vec<Self>) -> Vec<Self> {
+        list.clear();
+        list
+    }
+}
+
 impl LightReport {
     /// Counts a light's part.
-    pub(super) fn add(&mut self, light: &LightStatistics, static_texels: u64) {
+    pub(super) fn add(&mut self, light: &LightStatistics, static_texels: u64, engine_facets: u32) {
+        self.engine_facets += engine_facets;
         self.redrawn_texels += light.redrawn_texels;
         self.static_texels += static_texels;
         self.draws += light.draws;

@@ -1,6 +1,7 @@
 //! One light in one view: its square, the plan that is held for it, and what its tiles show.
 
 use cssm_core::facet::Tile;
+use cssm_core::fit::DepthHistogram;
 use cssm_core::plan::{MapRegion, PlanRequest};
 use cssm_core::{Light, PlanError, SceneBounds, ShadowPlan, View};
 
@@ -37,6 +38,10 @@ pub(super) struct Held {
     pub(super) predicted: Option<(View, f64)>,
     /// The last view that it was found to cover, in bounds.
     pub(super) covered: Option<(View, SceneBounds)>,
+    /// The measured depth that it was fitted to.
+    pub(super) depth: Option<Box<DepthHistogram>>,
+    /// The plan relative to a later eye.
+    seen: Option<Box<ShadowPlan>>,
     /// Frames that have used it.
     pub(super) frames: u32,
     pub(super) tiles: Vec<TileState>,
@@ -52,8 +57,10 @@ pub(super) struct TileState {
     pub(super) shown: Option<Content>,
     /// Static casters that the map of casters that stay shows.
     pub(super) still: Option<u64>,
-    /// What it should show, with the revisions of both lists of casters that this was found for.
-    pub(super) wanted: Option<((u64, u64), Content)>,
+    /// What it should show of the service's own casters, with the revisions of both lists that this was found for.
+    pub(super) own: Option<((u64, u64), Content)>,
+    /// What it should show of casters that the engine draws, with the hashes of both lists.
+    pub(super) engine: Option<((u64, u64), Content)>,
 }
 
 /// Hashes of what is drawn.
@@ -102,9 +109,10 @@ impl Shadow {
     }
 }
 
-/// Whether a request knows of what is seen, which may differ in every frame.
+/// Whether a request knows of this very frame what is seen, which may differ in every frame and cuts. Late depth does not.
 pub(super) fn is_measured(request: &PlanRequest) -> bool {
-    !request.volumes_world.is_empty() || request.near_hint_metres.is_some() || request.depth.is_some()
+    let is_fresh = request.depth.is_some_and(|depth| depth.latency_frames == 0);
+    !request.volumes_world.is_empty() || request.near_hint_metres.is_some() || is_fresh
 }
 
 /// Multiples of the view's motion that are tried first.
@@ -112,23 +120,48 @@ pub(super) const FARTHEST_REACH: f64 = 16.0;
 
 impl Held {
     /// A plan whose tiles show nothing yet.
-    pub(super) fn new(plan: ShadowPlan, serial: u64, light: Light, best_pixels: f64) -> Self {
+    pub(super) fn new(plan: ShadowPlan, serial: u64, request: &PlanRequest, best_pixels: f64) -> Self {
         let mut tiles: Vec<TileState> = Vec::new();
         for (position, facet) in plan.facets.iter().enumerate() {
             match tiles.iter_mut().find(|state| state.tile == facet.tile) {
                 Some(state) => state.facets.push(position),
                 None => {
                     let (tile, facets) = (facet.tile, vec![position]);
-                    tiles.push(TileState { tile, facets, shown: None, still: None, wanted: None });
+                    tiles.push(TileState::new(tile, facets));
                 }
             }
         }
-        Self { plan, serial, light, best_pixels, predicted: None, covered: None, frames: 0, tiles }
+        let measured = request.depth.filter(|depth| request.case.fit.measures_depth() && depth.is_usable());
+        Self {
+            plan,
+            serial,
+            light: *request.light,
+            best_pixels,
+            predicted: None,
+            covered: None,
+            seen: None,
+            depth: measured.map(|depth| Box::new(*depth)),
+            frames: 0,
+            tiles,
+        }
     }
 
     /// Whether it was made relative to a view's eye and axes.
     pub(super) fn is_of(&self, view: &View) -> bool {
         self.plan.eye_world == view.eye_world && self.plan.camera_from_world == view.camera_from_world
+    }
+
+    /// The plan as it was made, and relative to a view's eye. Memory is taken once in the plan's life; the constants of rows
+    /// that are brought from eye to eye lose a bit of f64 in a thousand frames.
+    pub(super) fn seen_from(&mut self, view: &View) -> (&ShadowPlan, &ShadowPlan) {
+        if self.is_of(view) {
+            return (&self.plan, &self.plan);
+        }
+        let seen = self.seen.get_or_insert_with(|| Box::new(self.plan.clone()));
+        if seen.eye_world != view.eye_world || seen.camera_from_world != view.camera_from_world {
+            seen.rebase(view);
+        }
+        (&self.plan, seen)
     }
 
     /// Whether it covers what a request sees, whatever the request's light.
@@ -155,7 +188,17 @@ impl Held {
     }
 }
 
+impl Content {
+    /// No casters.
+    pub(super) const NONE: Self = Self { fixed: 0, dynamic: 0 };
+}
+
 impl TileState {
+    /// A tile that shows nothing yet.
+    fn new(tile: Tile, facets: Vec<usize>) -> Self {
+        Self { tile, facets, shown: None, still: None, own: None, engine: None }
+    }
+
     /// What brings a tile from what it shows to some content; `None` where nothing is to be done. A plan in its first
     /// frame may not live to see another, so only later ones keep static casters apart.
     pub(super) fn work(&self, content: Content, first_frame: bool) -> Option<TileWork> {
@@ -187,7 +230,7 @@ mod tests {
 
     fn tile() -> TileState {
         let tile = Tile { x: 0, y: 0, width: 64, height: 64, gutter: 2 };
-        TileState { tile, facets: vec![0], shown: None, still: None, wanted: None }
+        TileState::new(tile, vec![0])
     }
 
     #[test]

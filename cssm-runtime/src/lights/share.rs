@@ -38,13 +38,18 @@ impl Claim {
     }
 }
 
-/// The side of every claim's square within a budget; 0 where not even the smallest fits.
-pub(super) fn sides(claims: &[Claim], budget_texels: u64, sides: &mut Vec<u32>) {
+/// The side of every claim's square within a budget; 0 where not even the smallest fits. `queue` keeps its memory.
+pub(super) fn sides(
+    claims: &[Claim],
+    budget_texels: u64,
+    sides: &mut Vec<u32>,
+    queue: &mut BinaryHeap<Wish>,
+) {
     sides.clear();
     sides.resize(claims.len(), 0);
     let mut left_texels = budget_texels;
-    let mut queue: BinaryHeap<Wish> =
-        claims.iter().enumerate().map(|(index, claim)| Wish::new(claim, index, 0)).collect();
+    queue.clear();
+    queue.extend(claims.iter().enumerate().map(|(index, claim)| Wish::new(claim, index, 0)));
 
     // Serve the largest error first; who cannot be served stays as it is.
     while let Some(wish) = queue.pop() {
@@ -87,7 +92,7 @@ fn squared(side: u32) -> u64 {
 
 /// A claim in the queue, by what it suffers.
 #[derive(Debug, Clone, Copy)]
-struct Wish {
+pub(super) struct Wish {
     /// Those without a square come first.
     has_none: bool,
     weighted_error: f64,
@@ -132,7 +137,7 @@ mod tests {
 
     fn shared(claims: &[Claim], budget_texels: u64) -> Vec<u32> {
         let mut found = Vec::new();
-        sides(claims, budget_texels, &mut found);
+        sides(claims, budget_texels, &mut found, &mut BinaryHeap::new());
         found
     }
 

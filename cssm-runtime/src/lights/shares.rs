@@ -70,7 +70,7 @@ impl LightService {
         let mut moved = 0;
         while share > LAST_SHARE {
             let budget_texels = (map_texels as f64 * share) as u64;
-            sides(&scratch.claims, budget_texels, &mut scratch.sides);
+            sides(&scratch.claims, budget_texels, &mut scratch.sides, &mut scratch.queue);
             for rule in [Rule::KeepNearlyRight, Rule::ShrinkOnly, Rule::PackAnew] {
                 let sizes = scratch
                     .sides

@@ -62,7 +62,8 @@ fn casters(toward: DVec3) -> Vec<Triangle> {
     let place = |x: f64, y: f64| toward * 30.0 + across * x + along * y;
     let strip = |k: i32| {
         let (left, right) = (f64::from(k) * 0.8, f64::from(k) * 0.8 + 0.4);
-        let (a, b, c, d) = (place(left, -300.0), place(right, -300.0), place(right, 300.0), place(left, 300.0));
+        let (a, b, c, d) =
+            (place(left, -300.0), place(right, -300.0), place(right, 300.0), place(left, 300.0));
         [[a, b, c], [a, c, d]]
     };
     std::iter::once(flat).chain((-300..300).flat_map(strip)).collect()

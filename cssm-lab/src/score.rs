@@ -25,7 +25,7 @@ pub use bands::{Place, Split};
 pub use displacement::{Displacement, Distances};
 pub use edges::FineEdges;
 pub use footprints::PixelFootprint;
-pub use seam::Seam;
+pub use seam::{Meeting, Seam};
 
 use serde::Serialize;
 
@@ -150,7 +150,9 @@ pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
         judged.footprints,
     );
     let boundaries = Marks::boundaries(frame, lattice, judged.facets);
-    let seam = Seam::along(&boundaries, &true_edges, &map_edges, judged.footprints, &verdicts, lattice);
+    let meetings = Marks::meetings(frame, lattice, judged.facets);
+    let edges = (&true_edges, &map_edges);
+    let seam = Seam::along((&boundaries, &meetings), edges, judged.footprints, &verdicts, lattice);
     (tally.score(true_edges.count(), displacement, seam), verdicts)
 }
 

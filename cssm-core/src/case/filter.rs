@@ -30,7 +30,8 @@ pub enum Filter {
     },
     /// Mean and mean square of exponentially warped depths, blurred ahead of resolving; what they say of the share of
     /// casters before the receiver is its shadow (exponential variance shadow maps, Lauritzen and McCool 2008, with the
-    /// positive exponent alone).
+    /// positive exponent alone). The moments bound the share of light from above: a receiver narrower than the kernel,
+    /// with far surfaces beside it, such as a leaf before the ground, may be lit where `Pcf` shades it.
     Evsm2 {
         /// Exponent over a facet's whole depth.
         exponent: f64,

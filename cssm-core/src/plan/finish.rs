@@ -55,7 +55,8 @@ pub(super) fn finish(
     situation: &Situation<'_>,
 ) -> Result<Finished, PlanError> {
     // Keep gutters free.
-    let inset = region::inset(window, &tile);
+    let reach = 0.5 * f64::from(situation.case.filter.texels_across());
+    let inset = region::inset(window, &tile, reach);
     let Inset { rows, clip, outline, inner_texels } =
         inset.ok_or_else(|| map_area(situation).too_small(1))?;
 

@@ -25,9 +25,10 @@ pub(super) struct Inset {
 
 /// Moves x and y rows off the tile's edges and off its neighbours in a shared tile by the gutter, and finds the
 /// half-spaces that casters are cut with. `None` when the gutters leave nothing.
-pub(super) fn inset(window: &Window<'_>, tile: &Tile) -> Option<Inset> {
+/// `reach` is the distance in texels along each axis from a receiver to the farthest texel centre that its filter reads.
+pub(super) fn inset(window: &Window<'_>, tile: &Tile, reach: f64) -> Option<Inset> {
     let rows = &window.rows;
-    let (rows, clip, scale, shift) = moved(rows, &window.draft.region, tile)?;
+    let (rows, clip, scale, shift) = moved(rows, &window.draft.region, tile, reach)?;
     let place = |corner: &DVec2| {
         let y = if rows.remap.is_none() { corner.y * scale.y + shift.y } else { corner.y };
         DVec2::new(corner.x * scale.x + shift.x, y)
@@ -38,7 +39,12 @@ pub(super) fn inset(window: &Window<'_>, tile: &Tile) -> Option<Inset> {
 }
 
 /// The rows within their tile, half-spaces that casters are cut with, and what clip space was scaled and then shifted by.
-fn moved(rows: &FacetRows, region: &Region, tile: &Tile) -> Option<(FacetRows, Vec<DVec4>, DVec2, DVec2)> {
+fn moved(
+    rows: &FacetRows,
+    region: &Region,
+    tile: &Tile,
+    reach: f64,
+) -> Option<(FacetRows, Vec<DVec4>, DVec2, DVec2)> {
     match region {
         Region::Tile(_) | Region::Whole(_) => {
             let inner = |side: u32| f64::from(side - 2 * tile.gutter) / f64::from(side);
@@ -59,7 +65,12 @@ fn moved(rows: &FacetRows, region: &Region, tile: &Tile) -> Option<(FacetRows, V
             let perimeter: f64 = sides.iter().sum();
             let centre = (a * sides[0] + b * sides[1] + c * sides[2]) / perimeter;
             let radius = (b - a).perp_dot(c - a) / perimeter;
-            let left = radius - f64::from(tile.gutter);
+            // Across an oblique edge the corner of a kernel reaches farther than its sides.
+            let across = |from: DVec2, to: DVec2| {
+                let normal = (to - from).perp().normalize_or_zero().abs();
+                reach * (normal.x + normal.y)
+            };
+            let left = radius - f64::from(tile.gutter).max(across(a, b)).max(across(c, a));
             if left.is_nan() || left < SMALLEST_RADIUS_TEXELS {
                 return None;
             }
@@ -96,7 +107,7 @@ mod tests {
         let tile = Tile { x: 0, y: 0, width: 256, height: 128, gutter: 3 };
         let corners = [DVec2::new(0.2, 0.3), DVec2::new(-1.0, -1.0), DVec2::new(1.0, -1.0)];
         let region = Region::Triangle { square: 0, request: TileRequest::Footprint, corners };
-        let (rows, clips, ..) = moved(&identity(), &region, &tile).unwrap();
+        let (rows, clips, ..) = moved(&identity(), &region, &tile, 1.0).unwrap();
         assert_eq!(clips.len(), 2);
         let texels = DVec2::new(128.0, 64.0);
         let image = |corner: DVec2| {
@@ -122,6 +133,6 @@ mod tests {
         let tile = Tile { x: 0, y: 0, width: 64, height: 64, gutter: 4 };
         let corners = [DVec2::new(0.0, -0.9), DVec2::new(-1.0, -1.0), DVec2::new(1.0, -1.0)];
         let region = Region::Triangle { square: 0, request: TileRequest::Footprint, corners };
-        assert!(moved(&identity(), &region, &tile).is_none());
+        assert!(moved(&identity(), &region, &tile, 1.0).is_none());
     }
 }

@@ -89,10 +89,18 @@ impl Marks {
         marks
     }
 
-    /// Boundaries between facets on visible surfaces.
+    /// Boundaries between facets on visible surfaces, silhouettes before surfaces of other facets included.
     pub(super) fn boundaries(frame: &Frame, lattice: Lattice, facets: &[u32]) -> Self {
         Self::between(frame, lattice, |one, two| {
             frame.pixels[one].is_some() && frame.pixels[two].is_some() && facets[one] != facets[two]
+        })
+    }
+
+    /// Boundaries on which two facets meet on one surface.
+    pub(super) fn meetings(frame: &Frame, lattice: Lattice, facets: &[u32]) -> Self {
+        Self::between(frame, lattice, |one, two| match (&frame.pixels[one], &frame.pixels[two]) {
+            (Some(first), Some(second)) => facets[one] != facets[two] && same_surface(first, second),
+            _ => false,
         })
     }
 

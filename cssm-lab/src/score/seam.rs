@@ -40,22 +40,40 @@ pub struct Seam {
     pub p95_ratio: Option<f64>,
     /// Light-facing interior pixels of the strip that are wrong.
     pub interior_wrong_pixels: u64,
+    /// The same where facets meet on one surface.
+    pub meeting: Meeting,
+}
+
+/// Edge displacement beside boundaries on which two facets meet on one surface: a seam can show there alone. Elsewhere
+/// the boundary is the silhouette of one surface before another, and what lies beside it differs from its surroundings
+/// in more than the facet: leaves, stems and railings are narrower than a filter's kernel.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Meeting {
+    /// True edge pixels in the strip.
+    pub strip_edge_pixels: u64,
+    /// True edge pixels in the strip's surroundings.
+    pub nearby_edge_pixels: u64,
+    /// Mean displacement in the strip; 0 without edges.
+    pub strip_mean: f64,
+    /// Mean displacement in the strip's surroundings; 0 without edges.
+    pub nearby_mean: f64,
 }
 
 impl Seam {
-    /// Absent when no boundary is visible.
+    /// Along all boundaries and those on one surface. Absent when no boundary is visible.
     pub(super) fn along(
-        boundaries: &Marks,
-        true_edges: &Marks,
-        map_edges: &Marks,
+        (boundaries, meetings): (&Marks, &Marks),
+        (true_edges, map_edges): (&Marks, &Marks),
         footprints: &[Option<PixelFootprint>],
         verdicts: &[Option<Verdict>],
         lattice: Lattice,
     ) -> Option<Self> {
         boundaries.places().next()?;
         let to_boundary = distance::transform(boundaries);
+        let to_meeting = distance::transform(meetings);
         let to_map = distance::transform(map_edges);
         let (mut strip, mut elsewhere, mut nearby) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut meeting_strip, mut meeting_nearby) = (Vec::new(), Vec::new());
         for place in true_edges.places() {
             let Some(footprint) = surface_footprint(footprints, lattice, place) else {
                 continue;
@@ -66,6 +84,11 @@ impl Seam {
             } else {
                 elsewhere.push(displacement);
                 nearby.extend((to_boundary[place] <= NEARBY_PIXELS).then_some(displacement));
+            }
+            if to_meeting[place] <= STRIP_PIXELS {
+                meeting_strip.push(displacement);
+            } else {
+                meeting_nearby.extend((to_meeting[place] <= NEARBY_PIXELS).then_some(displacement));
             }
         }
         let interior_wrong = verdicts.iter().enumerate().filter(|(index, verdict)| {
@@ -91,6 +114,12 @@ impl Seam {
             mean_ratio,
             p95_ratio: if strip_edge_pixels == 0 { None } else { ratio(strip.p95, elsewhere.p95) },
             interior_wrong_pixels: interior_wrong.count() as u64,
+            meeting: Meeting {
+                strip_edge_pixels: meeting_strip.len() as u64,
+                nearby_edge_pixels: meeting_nearby.len() as u64,
+                strip_mean: mean(&meeting_strip),
+                nearby_mean: mean(&meeting_nearby),
+            },
         })
     }
 }

@@ -228,6 +228,26 @@ fn a_seam_shows_in_its_strip_only() {
     let seam = broken.seam.expect("a boundary is visible");
     assert!(seam.mean_ratio.is_some_and(|ratio| ratio > 1.2), "{seam:?}");
     assert!(seam.interior_wrong_pixels > 0);
+    let meeting = seam.meeting;
+    assert_eq!((meeting.strip_edge_pixels, meeting.nearby_edge_pixels), (4, seam.nearby_edge_pixels));
+    assert_eq!((meeting.strip_mean, meeting.nearby_mean), (seam.strip_mean, seam.nearby_mean));
+}
+
+#[test]
+fn facets_do_not_meet_at_a_silhouette() {
+    // A post of another facet stands before the ground; the shadow edge runs across both.
+    let mut truth = plane(|_, y| y < 20);
+    let is_post = |x: usize| (30..33).contains(&x);
+    for (index, pixel) in truth.pixels.iter_mut().enumerate() {
+        if let Some(pixel) = pixel.as_mut().filter(|_| is_post(index % WIDTH)) {
+            (pixel.position.y, pixel.triangle) = (-50.0, 1);
+        }
+    }
+    let mut map = Map::new(|x, y| y < 21 || is_post(x) && y < 25, 1.0);
+    map.facets = (0..WIDTH * HEIGHT).map(|index| u32::from(is_post(index % WIDTH))).collect();
+    let seam = map.score(&truth).seam.expect("a boundary is visible");
+    assert!(seam.strip_edge_pixels > 0 && seam.strip_mean > seam.nearby_mean, "{seam:?}");
+    assert_eq!(seam.meeting, Meeting::default());
 }
 
 #[test]

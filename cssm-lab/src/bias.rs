@@ -139,16 +139,16 @@ fn find(
     let light = Light::directional_travelling(-toward)?;
     let options = StageOptions { supersample: scene.has_masks(), progress: Progress::Hidden };
     let stage = Stage::new(gpu, scene, tracer, view, light, options)?;
-    let Score { acne, edge_displacement, shallow, true_edge_pixels, facing_pixels, .. } =
+    let Score { acne, wide_edge_displacement: displacement, shallow, facing_pixels, .. } =
         stage.attempt(case, ResolveMethod::Function)?.outcome()?.score;
     Ok(BiasFinding {
         scene: scene.name.clone(),
         elevation_degrees,
         azimuth_degrees,
-        displacement_footprints: edge_displacement.true_to_map.footprints.p95,
-        true_edge_pixels,
-        open_displacement_footprints: edge_displacement.open.footprints.p95,
-        open_edge_pixels: edge_displacement.open.count,
+        displacement_footprints: displacement.true_to_map.footprints.p95,
+        true_edge_pixels: displacement.true_to_map.count,
+        open_displacement_footprints: displacement.open.footprints.p95,
+        open_edge_pixels: displacement.open.count,
         acne: acne.interior,
         acne_pixels: (acne.interior * facing_pixels as f64).round() as u64,
         shallow_pixels: shallow.pixels,

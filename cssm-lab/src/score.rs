@@ -89,6 +89,8 @@ pub struct Score {
     pub shallow: Aside,
     /// Distances between true edges and the map's.
     pub edge_displacement: Displacement,
+    /// The same with edges on surfaces that face the light at 1 to 3 degrees.
+    pub wide_edge_displacement: Displacement,
     /// Facet boundaries against elsewhere; absent with one facet.
     pub seam: Option<Seam>,
 }
@@ -106,6 +108,11 @@ pub struct Aside {
     pub interior: f64,
 }
 
+/// Whether the light reaches a surface that rises at least a degree out of its direction.
+fn faces_shallowly(pixel: &Visible) -> bool {
+    pixel.reached && pixel.cosine > SHALLOW_COSINES.start
+}
+
 /// Scores a frame, and says of each pixel what was found there.
 pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
     let frame = judged.frame;
@@ -113,8 +120,10 @@ pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
 
     // Mark where truth and map change, and where the surface does.
     let creases = Marks::creases(frame, lattice);
-    let true_edges = Marks::edges(frame, lattice, |index| truth_at(frame, index));
-    let map_edges = Marks::edges(frame, lattice, |index| judged.visibility[index] >= LIT_VISIBILITY);
+    let faces = Visible::faces_light;
+    let map_at = |index: usize| judged.visibility[index] >= LIT_VISIBILITY;
+    let true_edges = Marks::edges(frame, lattice, faces, |index| truth_at(frame, index));
+    let map_edges = Marks::edges(frame, lattice, faces, map_at);
     let (band_creases, band_edges) = match judged.fine {
         None => (creases.clone(), true_edges.clone()),
         Some(fine) => (creases.with(&fine.creases), true_edges.with(&fine.edges)),
@@ -122,6 +131,16 @@ pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
     let to_true_edge = distance::transform(&band_edges);
     let to_crease = distance::transform(&band_creases);
     let bands = Bands::new(&to_true_edge, &to_crease);
+
+    // The same with edges on surfaces that face the light at but a degree.
+    let wide_true_edges = Marks::edges(frame, lattice, faces_shallowly, |index| truth_at(frame, index));
+    let wide_map_edges = Marks::edges(frame, lattice, faces_shallowly, map_at);
+    let wide_band_edges = match judged.fine {
+        None => wide_true_edges.clone(),
+        Some(fine) => wide_true_edges.with(&fine.edges),
+    };
+    let to_wide_true_edge = distance::transform(&wide_band_edges);
+    let wide_bands = Bands::new(&to_wide_true_edge, &to_crease);
 
     // Judge every pixel.
     let mut tally = Tally::default();
@@ -137,6 +156,10 @@ pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
                 facing: pixel.faces_light(),
             };
             tally.count(&verdict, pixel);
+            if pixel.reached && SHALLOW_COSINES.contains(&pixel.cosine) {
+                let place = wide_bands.place(lattice.of_pixel(index), footprint);
+                tally.shallow.count(&Verdict { place, ..verdict });
+            }
             Some(verdict)
         })
         .collect();
@@ -149,11 +172,20 @@ pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
         &to_crease,
         judged.footprints,
     );
+    let wide_displacement = Displacement::between(
+        &wide_map_edges,
+        &to_wide_true_edge,
+        &wide_true_edges,
+        &distance::transform(&wide_map_edges),
+        &to_crease,
+        judged.footprints,
+    );
+    let displacements = (displacement, wide_displacement);
     let boundaries = Marks::boundaries(frame, lattice, judged.facets);
     let meetings = Marks::meetings(frame, lattice, judged.facets);
     let edges = (&true_edges, &map_edges);
     let seam = Seam::along((&boundaries, &meetings), edges, judged.footprints, &verdicts, lattice);
-    (tally.score(true_edges.count(), displacement, seam), verdicts)
+    (tally.score(true_edges.count(), displacements, seam), verdicts)
 }
 
 fn truth_at(frame: &Frame, index: usize) -> bool {
@@ -228,9 +260,6 @@ impl Tally {
             self.unreached += 1;
             return;
         }
-        if SHALLOW_COSINES.contains(&pixel.cosine) {
-            self.shallow.count(verdict);
-        }
         if !verdict.facing {
             self.grazing.count(verdict);
             return;
@@ -244,7 +273,12 @@ impl Tally {
         }
     }
 
-    fn score(&self, true_edges: usize, edge_displacement: Displacement, seam: Option<Seam>) -> Score {
+    fn score(
+        &self,
+        true_edges: usize,
+        (edge_displacement, wide_edge_displacement): (Displacement, Displacement),
+        seam: Option<Seam>,
+    ) -> Score {
         let share = |count| statistics::share(count, self.facing);
         let (leak, acne) = (Split::of(&self.leak, self.facing), Split::of(&self.acne, self.facing));
         let interior = Place::Interior as usize;
@@ -263,6 +297,7 @@ impl Tally {
             grazing: self.grazing.aside(),
             shallow: self.shallow.aside(),
             edge_displacement,
+            wide_edge_displacement,
             seam,
         }
     }

@@ -57,9 +57,14 @@ pub(super) struct Marks {
 
 impl Marks {
     /// Shadow edges: neighbours on one surface, both facing the light, one lit and one not.
-    pub(super) fn edges(frame: &Frame, lattice: Lattice, lit: impl Fn(usize) -> bool) -> Self {
+    pub(super) fn edges(
+        frame: &Frame,
+        lattice: Lattice,
+        faces_light: impl Fn(&Visible) -> bool,
+        lit: impl Fn(usize) -> bool,
+    ) -> Self {
         Self::between(frame, lattice, |one, two| {
-            let faces = |index: usize| frame.pixels[index].as_ref().filter(|pixel| pixel.faces_light());
+            let faces = |index: usize| frame.pixels[index].as_ref().filter(|pixel| faces_light(pixel));
             let (Some(first), Some(second)) = (faces(one), faces(two)) else {
                 return false;
             };
@@ -180,7 +185,7 @@ impl FineEdges {
         let fine_lattice = Lattice::of(fine);
         let lit = |index: usize| fine.pixels[index].as_ref().is_some_and(|pixel| pixel.lit);
         Self {
-            edges: Marks::edges(fine, fine_lattice, lit).coarsened(lattice, samples),
+            edges: Marks::edges(fine, fine_lattice, Visible::faces_light, lit).coarsened(lattice, samples),
             creases: Marks::creases(fine, fine_lattice).coarsened(lattice, samples),
         }
     }

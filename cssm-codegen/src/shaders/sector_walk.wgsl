@@ -4,19 +4,17 @@
 /// Finds the sector of a receiver: its first border decides the direction, then each border is passed or not.
 fn sector_index(position: vec3<f32>) -> u32 {
     let point = vec4<f32>(position, 1.0);
-    if dot(shadow.borders[0], point) >= 0.0 {
-        // Walk forwards from the ring's start.
-        var sector = 0u;
-        while sector < SECTORS - 1u && dot(shadow.borders[sector + 1u], point) >= 0.0 {
-            sector += 1u;
-        }
-        return sector;
-    }
 
-    // Walk backwards from the ring's end.
-    var sector = SECTORS - 1u;
-    while sector > 0u && dot(shadow.borders[sector], point) < 0.0 {
-        sector -= 1u;
+    // Walk forwards from the ring's start up to the first border that is not passed, and backwards from its end down to
+    // the first that is. Both at once, without a branch, take less than either.
+    var is_ahead = 1u;
+    var forwards = 0u;
+    var backwards = 0u;
+    for (var border = 1u; border < SECTORS; border += 1u) {
+        let is_passed = dot(shadow.borders[border], point) >= 0.0;
+        is_ahead = select(0u, is_ahead, is_passed);
+        forwards += is_ahead;
+        backwards = select(backwards, border, is_passed);
     }
-    return sector;
+    return select(backwards, forwards, dot(shadow.borders[0], point) >= 0.0);
 }

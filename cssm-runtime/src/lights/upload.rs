@@ -54,8 +54,8 @@ fn uploaded(
     let count = rows.iter().map(|rows| rows.len()).sum();
     let Gpu { device, queue, atlas, layouts, slots, identity, .. } = gpu;
     let slot = slots.acquire(device, table, layouts, atlas, count).and_then(|slot| {
-        let plans = Plans { capture, resolve };
-        let write = || upload(queue, table, &layouts.uniforms, &slot, plans, view, &rows, records);
+        let plans = Plans { capture, resolve, view };
+        let write = || upload(queue, table, &layouts.uniforms, &slot, plans, &rows, records);
         checked(device, "a light's upload", write)?;
         Ok(slot)
     });

@@ -39,6 +39,7 @@ mod share;
 mod shares;
 mod stored;
 mod tiles;
+mod upload;
 
 use std::collections::BinaryHeap;
 use std::sync::Arc;
@@ -374,3 +375,6 @@ impl ServedCase {
         Ok(Self { case: case.clone(), service })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -213,9 +213,9 @@ impl ShadowService {
         let Gpu { device, queue, atlas, layouts, slots, identity, .. } = &mut self.gpu;
         let rows = commands.rows.len();
         let slot = slots.acquire(device, table, layouts, atlas, rows).and_then(|slot| {
-            let plans = Plans { capture: plan, resolve: plan };
+            let plans = Plans { capture: plan, resolve: plan, view };
             let rows = [commands.rows.as_slice()];
-            let write = || upload(queue, table, &layouts.uniforms, &slot, plans, view, &rows, records);
+            let write = || upload(queue, table, &layouts.uniforms, &slot, plans, &rows, records);
             checked(device, "a frame's upload", write)?;
             Ok(slot)
         });

@@ -72,7 +72,6 @@ pub(crate) fn upload(
     layout: &UniformLayout,
     slot: &Slot,
     plans: Plans<'_>,
-    view: &View,
     rows: &[&[InstanceRows]],
     bytes: &mut Vec<u8>,
 ) {
@@ -83,7 +82,7 @@ pub(crate) fn upload(
         write_capture_record_to(table, plans.capture, facet, place);
     }
     write_shadow_record_to(table, plans.resolve, from(bytes, layout.shadow_offset));
-    write_mask_record_to(table, view, from(bytes, layout.mask_offset));
+    write_mask_record_to(table, plans.view, from(bytes, layout.mask_offset));
     queue.write_buffer(&slot.uniforms, 0, bytes);
     let mut offset = 0;
     for rows in rows.iter().filter(|rows| !rows.is_empty()) {
@@ -102,4 +101,6 @@ fn from(bytes: &mut [u8], offset: u64) -> &mut [u8] {
 pub(crate) struct Plans<'a> {
     pub(crate) capture: &'a ShadowPlan,
     pub(crate) resolve: &'a ShadowPlan,
+    /// The view that the second eye is of.
+    pub(crate) view: &'a View,
 }

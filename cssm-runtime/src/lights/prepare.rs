@@ -11,17 +11,12 @@ use super::engine;
 use super::hold::{self, Motion, Need};
 use super::prepared::{PreparedLights, PreparedShadow};
 use super::report::{LightState, LightStatistics, TileStatistics};
-use super::scissor::scissor;
 use super::shadow::{Fill, Held, Shadow, TileState, TileWork, is_measured};
 use super::{LightService, Scratch, ServedCase, ServedView};
-use crate::commands::{FrameCommands, MeshFacts};
+use crate::commands::MeshFacts;
 use crate::culling::GpuCulling;
 use crate::error::ServiceError;
-use crate::frame::PreparedFrame;
-use crate::gpu::Gpu;
 use crate::mesh::MeshHandle;
-use crate::scope::checked;
-use crate::upload::{Plans, check_plan, upload};
 
 /// Side of the square that lights are planned for before they have one.
 const SURVEY_SIDE: u32 = 512;
@@ -39,6 +34,28 @@ impl LightService {
     /// # Errors
     /// Unknown meshes and transforms that are not finite, naming the list and the instance; a lost device, no memory.
     pub fn prepare(&mut self, frame: &LightFrame, prepared: &mut PreparedLights) -> Result<(), ServiceError> {
+        // Fill the memory that is not the engine's, then swap.
+        let mut next = std::mem::take(&mut self.scratch.next);
+        let filled = self.decide(frame, &mut next).and_then(|draws_still| {
+            if draws_still {
+                self.layers.keep_still_casters(&self.device)?;
+            }
+            self.upload(frame, &mut next)
+        });
+        if filled.is_ok() {
+            std::mem::swap(&mut next, prepared);
+        }
+        self.scratch.next = next;
+        filled
+    }
+
+    /// Everything but the upload: plans, squares, and lists of what is drawn. Returns whether static casters are drawn
+    /// apart. Allocates nothing where lists have their room and no plan is made, which no view that stands still needs.
+    pub(super) fn decide(
+        &mut self,
+        frame: &LightFrame,
+        next: &mut PreparedLights,
+    ) -> Result<bool, ServiceError> {
         self.update_casters(frame)?;
         self.number += 1;
         let motion = self.motion(frame);
@@ -57,18 +74,10 @@ impl LightService {
                 break;
             }
         }
-
-        // Fill the memory that is not the engine's, then swap.
-        let mut next = std::mem::take(&mut self.scratch.next);
         next.reset(&self.identity, frame.view_id, self.number);
         next.report.planned = planned;
         next.report.moved = moved;
-        let filled = self.fill(frame, &mut next);
-        if filled.is_ok() {
-            std::mem::swap(&mut next, prepared);
-        }
-        self.scratch.next = next;
-        filled
+        self.list(frame, next)
     }
 
     fn update_casters(&mut self, frame: &LightFrame) -> Result<(), ServiceError> {
@@ -201,8 +210,8 @@ impl LightService {
         }
     }
 
-    /// Builds the commands of all lights and uploads their records.
-    fn fill(&mut self, frame: &LightFrame, next: &mut PreparedLights) -> Result<(), ServiceError> {
+    /// Builds the commands of all lights. Returns whether static casters are drawn apart.
+    fn list(&mut self, frame: &LightFrame, next: &mut PreparedLights) -> Result<bool, ServiceError> {
         next.report.map_texels = u64::from(self.layers.main.width()) * u64::from(self.layers.main.height());
         let mut left_texels = self.options.redrawn_texels;
         let mut draws_still = false;
@@ -255,23 +264,12 @@ impl LightService {
             }
             held.frames = held.frames.saturating_add(1);
 
-            // Upload the records relative to this frame's eye.
-            let Some(part) = next.shadows.get_mut(next.used - 1) else { continue };
-            let (capture, resolve) = held.seen_from(frame.view);
-            part.scissor = scissor(resolve, frame.view);
-            part.frame = Some(uploaded(case, capture, resolve, frame.view, part)?);
             next.report.lights.push(statistics);
         }
         next.report.waiting =
             next.report.lights.iter().filter(|light| light.state == LightState::Waits).count() as u32;
-        if draws_still {
-            self.layers.keep_still_casters(&self.device)?;
-        }
-        let Self { device, queue, culling, scratch, .. } = self;
-        if let Some(culling) = culling {
-            next.culled = culling.upload(device, queue, &scratch.work)?;
-        }
-        Ok(())
+        next.tiles.reserve(next.report.lights.len());
+        Ok(draws_still)
     }
 }
 
@@ -430,35 +428,4 @@ impl PreparedShadow {
         }));
         Ok(())
     }
-}
-
-/// Uploads a light's records and instance rows.
-fn uploaded(
-    case: &mut ServedCase,
-    capture: &ShadowPlan,
-    resolve: &ShadowPlan,
-    view: &View,
-    part: &PreparedShadow,
-) -> Result<PreparedFrame, ServiceError> {
-    let (table, gpu, records) = case.service.parts_mut();
-    check_plan(table, resolve, view)?;
-    let rows = [part.still.rows.as_slice(), part.fixed.rows.as_slice(), part.dynamic.rows.as_slice()];
-    let count = rows.iter().map(|rows| rows.len()).sum();
-    let Gpu { device, queue, atlas, layouts, slots, identity, .. } = gpu;
-    let slot = slots.acquire(device, table, layouts, atlas, count).and_then(|slot| {
-        let plans = Plans { capture, resolve };
-        let write = || upload(queue, table, &layouts.uniforms, &slot, plans, view, &rows, records);
-        checked(device, "a light's upload", write)?;
-        Ok(slot)
-    });
-    let service = std::sync::Arc::clone(identity);
-    let slot = gpu.alive(slot)?;
-    Ok(PreparedFrame {
-        service,
-        slot,
-        depth_order: capture.depth_order,
-        commands: FrameCommands::default(),
-        statistics: Default::default(),
-        culled: None,
-    })
 }

@@ -29,6 +29,7 @@ mod engine;
 mod hold;
 mod layers;
 mod meshes;
+mod planned;
 mod prepare;
 mod prepared;
 mod record;

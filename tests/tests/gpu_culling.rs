@@ -8,7 +8,7 @@ use cssm_codegen::generate;
 use cssm_core::case::Casters;
 use cssm_core::glam::DVec3;
 use cssm_core::table::CaseTable;
-use cssm_core::{BoundingBox, LightCase, SceneBounds, ShadowPlan, View, plan};
+use cssm_core::{BoundingBox, Light, LightCase, SceneBounds, ShadowPlan, View, plan};
 use cssm_lab::case_file::{pick_case, with_map_size};
 use cssm_lab::scene::Scene;
 use cssm_runtime::{
@@ -259,6 +259,36 @@ fn the_device_draws_what_the_cpu_draws() {
         }
     }
     assert!(clusters > 1000, "only {clusters} clusters were told apart");
+}
+
+#[test]
+fn the_device_draws_what_the_cpu_draws_for_lamps() {
+    let case = case(("Lamp", shipped::LAMP));
+    let table = table(&case);
+    let gpu = culling_device(&table);
+    let (mut clusters, mut configurations) = (0, BTreeMap::new());
+    for scene in [Scene::pavilion(), Scene::city()] {
+        let content = Content::new(&scene);
+        let casters = content.casters();
+        let mut on_cpu = content.load(&gpu, &table, Culling::Cpu);
+        let mut on_gpu = content.load(&gpu, &table, Culling::Gpu);
+        for (number, place) in [[2.0, 1.5, -9.0], [-4.0, 3.0, 5.0], [0.5, 0.2, -3.0]].into_iter().enumerate()
+        {
+            let (view, _) = scene.views[number % scene.views.len()].pictured(SIZE).unwrap();
+            let place = view.eye_world + view.camera_from_world.transpose() * DVec3::from_array(place);
+            let lamp = Light::omni(place, 30.0).unwrap();
+            let plan = plan(&case, &view, &lamp, &SceneBounds::of(scene.bounds_world())).unwrap();
+            let frame = on_cpu.prepare(&plan, &view, &casters).unwrap();
+            let (expected, commands) = captured(&gpu, &on_cpu, &frame);
+            let frame = on_gpu.prepare(&plan, &view, &casters).unwrap();
+            let (map, left) = captured(&gpu, &on_gpu, &frame);
+            let (of_mesh, ..) = compare(&content, &plan, &drawn(&commands), &drawn(&left));
+            assert_eq!(lost(&plan, &map, &expected), 0, "{} lamp {number}", scene.name);
+            clusters += of_mesh;
+            *configurations.entry(plan.configuration).or_insert(0) += 1;
+        }
+    }
+    assert!(clusters > 100 && configurations.len() > 1, "{clusters} clusters, {configurations:?}");
 }
 
 #[test]

@@ -216,7 +216,8 @@ fn a_map_that_is_too_small_degrades_all_lights_evenly() {
 }
 
 /// What each facet draws of each instance, which is known by its mesh and its rows: ranges of corners.
-type Drawn = BTreeMap<(u32, String, [u32; 12]), Vec<Range<u32>>>;
+type Drawn = BTreeMap<Key, Vec<Range<u32>>>;
+type Key = (u32, String, [u32; 12]);
 
 fn drawn(commands: &FrameCommands) -> Drawn {
     let (mut facet_here, mut mesh_here) = (0, String::new());
@@ -242,7 +243,7 @@ fn drawn(commands: &FrameCommands) -> Drawn {
 
 /// Corners that one list draws and another, of the same instances, does not.
 fn corners_beyond(one: &Drawn, other: &Drawn) -> u32 {
-    let of = |(key, ranges): (&(u32, String, [u32; 12]), &Vec<Range<u32>>)| -> u32 {
+    let of = |(key, ranges): (&Key, &Vec<Range<u32>>)| -> u32 {
         let other = &other[key];
         let lacks = |corner: &u32| !other.iter().any(|range| range.contains(corner));
         ranges.iter().map(|range| range.clone().filter(lacks).count() as u32).sum()

@@ -15,9 +15,9 @@ const MARGIN_COST: f64 = 1.05;
 /// How much larger it may become before the plan is given up.
 const HOLD_COST: f64 = 1.1;
 /// Share of the pixels at other depths than a plan was fitted to, beyond which it is given up.
-const SHIFTED_SHARE: f64 = 0.1;
+const SHIFTED_SHARE: f64 = 0.2;
 /// Octaves by which the range of visible depth may differ from the one that a plan was fitted to.
-const SHIFTED_OCTAVES: f64 = 0.25;
+const SHIFTED_OCTAVES: f64 = 0.5;
 /// Growth of the reach with every plan, so that a margin is tried again some time after it was given up.
 const REACH_GROWTH: f64 = 1.15;
 

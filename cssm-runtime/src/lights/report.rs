@@ -19,9 +19,9 @@ pub struct LightReport {
     pub redrawn_texels: u64,
     /// Texels drawn in the map of static casters.
     pub static_texels: u64,
-    /// Draw calls for casters.
+    /// Draw calls for casters; with culling on the device the largest number that there may be.
     pub draws: u32,
-    /// Triangles submitted.
+    /// Triangles submitted; with culling on the device those of all candidates.
     pub triangles: u64,
     /// Facets that the engine is asked to draw its own casters into, static and dynamic ones apart.
     pub engine_facets: u32,
@@ -50,9 +50,9 @@ pub struct LightStatistics {
     pub held_frames: u32,
     /// Texels redrawn in this frame.
     pub redrawn_texels: u64,
-    /// Draw calls for casters.
+    /// Draw calls for casters; with culling on the device the largest number that there may be.
     pub draws: u32,
-    /// Triangles submitted.
+    /// Triangles submitted; with culling on the device those of all candidates.
     pub triangles: u64,
     /// Tiles of its facets.
     pub tiles: Vec<TileStatistics>,

@@ -3,6 +3,7 @@
 
 use glam::{DMat3, DVec2, DVec3, DVec4};
 
+use super::ground;
 use super::{CaseTable, Meaning, Record, RecordKind};
 use crate::case::Axes;
 use crate::facet::Facet;
@@ -62,6 +63,14 @@ pub fn write_shadow_record(table: &CaseTable, plan: &ShadowPlan) -> Vec<u8> {
             }
             Meaning::PixelMetres => put_row(&mut bytes, offset, turned.row(plan.pixel_metres)),
             Meaning::DepthSign => put(&mut bytes, offset, sign as f32),
+            Meaning::GroundPlanes => {
+                let turn = Turn::unsheared(table, plan);
+                for (index, plane) in plan.ground_planes().take(field.elements as usize).enumerate() {
+                    put_row(&mut bytes, offset + index * stride, turn.row(plane));
+                }
+            }
+            Meaning::GroundTiles => ground::put_tiles(&mut bytes, table, plan, field),
+            Meaning::GroundEdges => ground::put_edges(&mut bytes, table, plan, field),
             Meaning::Facets => {
                 let Some(facet_record) = facet_record else { continue };
                 let write = FacetWriter { record: facet_record, turned: &turned, sign };
@@ -280,7 +289,7 @@ fn put_rows(bytes: &mut [u8], offset: usize, rows: &[DVec4], turned: &Turn) {
     }
 }
 
-fn put_row(bytes: &mut [u8], offset: usize, row: DVec4) {
+pub(super) fn put_row(bytes: &mut [u8], offset: usize, row: DVec4) {
     for (index, value) in row.to_array().into_iter().enumerate() {
         put(bytes, offset + 4 * index, value as f32);
     }

@@ -43,8 +43,9 @@ pub enum Filter {
     /// For receivers on a few planes that shadow nothing on themselves, such as ground, floor and walls: where something
     /// stands between the light and a plane, blurred severely ahead of resolving and read by one bilinear fetch
     /// (Kozlov, perspective shadow maps: care and feeding, 2004, section 14.3.2). Such receivers compare no depth and
-    /// need no bias; all others are filtered as by [`Self::Gather2x2`]. The planes come with the scene bounds of each
-    /// plan ([`crate::SceneBounds::ground_planes`]).
+    /// need no bias; all others are filtered as by [`Self::Gather2x2`]. The planes come with the scene bounds of each plan
+    /// ([`crate::SceneBounds::ground_planes`]). A plane is endless: where it runs on beneath another surface, as a wall does
+    /// beneath the ground, it is covered, and the blur brings some of that shade to its foot.
     ///
     /// Which plane a receiver lies on is told by its distance from them, within what f32 may have moved it
     /// ([`crate::ground::ROUNDING`]): the mask pass knows no more of a pixel than its position, and a material needs to

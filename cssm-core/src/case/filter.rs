@@ -51,7 +51,7 @@ pub enum Filter {
     /// ([`crate::ground::ROUNDING`]): the mask pass knows no more of a pixel than its position, and a material needs to
     /// pass nothing.
     GroundMasks {
-        /// Planes at most, 1 to 4, each with a channel of its own.
+        /// Planes, 1 to 4, each with a channel of its own.
         planes: u32,
         /// Standard deviation of the Gaussian in metres on the plane: a straight edge goes from 10 to 90 percent of
         /// light within 2.56 of them. At least half a texel, at most 0.4 of the reach.
@@ -368,7 +368,7 @@ const EVSM: &[Field] = &[
 const GROUND: &[Field] = &[
     Field {
         name: "planes",
-        summary: "planes at most, each with a channel of its own",
+        summary: "planes, each with a channel of its own",
         kind: Kind::Count { min: 1, max: MOST_GROUND_PLANES as u32 },
         default: Default::Value("1"),
     },

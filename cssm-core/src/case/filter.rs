@@ -32,6 +32,11 @@ pub enum Filter {
     /// casters before the receiver is its shadow (exponential variance shadow maps, Lauritzen and McCool 2008, with the
     /// positive exponent alone). The moments bound the share of light from above: a receiver narrower than the kernel,
     /// with far surfaces beside it, such as a leaf before the ground, may be lit where `Pcf` shades it.
+    ///
+    /// For directional lights alone. Depth from a local light runs with one over the distance from it, and begins close to
+    /// it, so that receivers at any distance have one: a metre where receivers are is next to nothing of the whole depth,
+    /// and no exponent that f32 can hold tells casters and receivers apart there. To begin farther away would leave
+    /// receivers near the light without shadows.
     Evsm2 {
         /// Exponent over a facet's whole depth.
         exponent: f64,

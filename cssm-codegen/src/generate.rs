@@ -190,8 +190,10 @@ pub(crate) fn what_it_is(kind: ShaderKind, clipped: bool) -> &'static str {
             "decides texel by texel the casters that bent rows bend too far for straight edges."
         }
         (ShaderKind::CaptureBentTested, _) => "decides casters with an alpha mask texel by texel.",
-        (ShaderKind::PrefilterRows, _) => "takes moments of the map's depths and blurs them along rows.",
-        (ShaderKind::PrefilterColumns, _) => "blurs moments of the map's depths along columns.",
+        (ShaderKind::PrefilterRows, _) => {
+            "takes from the map's depths what resolving reads, and blurs it along rows."
+        }
+        (ShaderKind::PrefilterColumns, _) => "blurs along columns what was blurred along rows.",
         (ShaderKind::Mask, _) => "turns the view's depth into a visibility mask.",
         (ShaderKind::Fit, _) => "measures the engine's depth: how many pixels see each, and where.",
         (ShaderKind::Function, _) => "visibility of a point, for the engine's own materials.",

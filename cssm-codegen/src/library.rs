@@ -130,6 +130,18 @@ library![
     "prefilter_rows",
     "prefilter_columns",
     "filter_moments",
+    "ground_corner",
+    "ground_straight",
+    "ground_bent",
+    "ground_cut",
+    "ground_planes",
+    "ground_rows",
+    "ground_columns",
+    "prefilter_ground_rows",
+    "prefilter_ground_rows_cut",
+    "prefilter_ground_columns",
+    "prefilter_ground_columns_cut",
+    "filter_ground",
     "visibility_one_unbiased",
     "visibility_one_biased",
     "visibility_one_normal",
@@ -150,6 +162,16 @@ library![
     "visibility_many_normal_wide",
     "visibility_many_biased_local_wide",
     "visibility_many_normal_local_wide",
+    "visibility_one_unbiased_masked",
+    "visibility_one_biased_masked",
+    "visibility_one_normal_masked",
+    "visibility_one_biased_local_masked",
+    "visibility_one_normal_local_masked",
+    "visibility_many_unbiased_masked",
+    "visibility_many_biased_masked",
+    "visibility_many_normal_masked",
+    "visibility_many_biased_local_masked",
+    "visibility_many_normal_local_masked",
     "depth_reversed_z",
     "depth_linear",
     "view_ray",
@@ -188,11 +210,12 @@ pub(crate) fn pick(
             (capture(table, shader), &["capture_bent_tested_vertex", "capture_bent_tested_fragment"])
         }
         ShaderKind::PrefilterRows => {
-            (filter::prefilter(table, shader), &["prefilter_rows_vertex", "prefilter_rows_fragment"])
+            (filter::prefilter(case, table, shader), &["prefilter_rows_vertex", "prefilter_rows_fragment"])
         }
-        ShaderKind::PrefilterColumns => {
-            (filter::prefilter(table, shader), &["prefilter_columns_vertex", "prefilter_columns_fragment"])
-        }
+        ShaderKind::PrefilterColumns => (
+            filter::prefilter(case, table, shader),
+            &["prefilter_columns_vertex", "prefilter_columns_fragment"],
+        ),
         ShaderKind::Mask => {
             let mut names = visibility(case, table);
             names.extend(mask(case));
@@ -391,6 +414,10 @@ fn visibility(case: &LightCase, table: &CaseTable) -> Vec<&'static str> {
     let many = table.cells() > 1;
     if case.filter.is_wide() {
         names.push(filter::joined_wide(case, many, local));
+        return names;
+    }
+    if case.filter.ground_planes() > 0 {
+        names.push(filter::joined_masked(case, many, local));
         return names;
     }
     names.push(match (many, case.bias.reads_normal(), local) {

@@ -67,10 +67,12 @@ pub(crate) fn binding_type(kind: BindingKind) -> &'static str {
         BindingKind::SceneLinearDepth
         | BindingKind::SceneNormal
         | BindingKind::CasterMask
+        | BindingKind::GroundRows
+        | BindingKind::GroundMasks
         | BindingKind::MomentRows
         | BindingKind::Moments => "texture_2d<f32>",
         BindingKind::ComparisonSampler => "sampler_comparison",
-        BindingKind::GatherSampler | BindingKind::CasterMaskSampler => "sampler",
+        BindingKind::GatherSampler | BindingKind::CasterMaskSampler | BindingKind::GroundSampler => "sampler",
     }
 }
 
@@ -87,6 +89,9 @@ pub(crate) fn binding_summary(table: &CaseTable, kind: BindingKind) -> &'static 
         BindingKind::Map => "The shadow map.",
         BindingKind::MomentRows => "Mean and mean square of warped depths, blurred along rows.",
         BindingKind::Moments => "Mean and mean square of warped depths, blurred.",
+        BindingKind::GroundRows => "What covers each plane, blurred along rows.",
+        BindingKind::GroundMasks => "What covers each plane, blurred.",
+        BindingKind::GroundSampler => "Blends linearly, clamps to the edge.",
         BindingKind::MeshLayout => "Where the caster's vertices lie in its buffers.",
         BindingKind::MeshPositions => "Positions of the caster, as words.",
         BindingKind::MeshIndices => "Indices of the caster, as words.",

@@ -157,6 +157,26 @@ fn moments() {
 }
 
 #[test]
+fn masks_of_planes() {
+    let variant = declared("filter: ground_masks { planes: 2, blur: 20 cm }, resolve: [function]");
+    for shader in [ShaderKind::PrefilterRows, ShaderKind::PrefilterColumns, ShaderKind::Function] {
+        insta::assert_snapshot!(format!("ground_masks.{}.wgsl", shader.name()), wgsl(&variant, shader));
+    }
+    insta::assert_snapshot!("ground_masks.json", variant.json);
+    insta::assert_snapshot!("ground_masks.explain", variant.explain);
+
+    // Triangles that share a tile are told apart.
+    let shared = declared(
+        "filter: ground_masks, resolve: [function], technique: camera_space, \
+         configurations: [four_plane]",
+    );
+    insta::assert_snapshot!(
+        "ground_masks_shared.prefilter_rows.wgsl",
+        wgsl(&shared, ShaderKind::PrefilterRows)
+    );
+}
+
+#[test]
 fn receiver_plane_and_no_filter() {
     let variant = declared("bias: receiver_plane, filter: none, resolve: [function]");
     insta::assert_snapshot!("plane_none.function.wgsl", wgsl(&variant, ShaderKind::Function));

@@ -14,7 +14,7 @@ mod names;
 
 pub use builder::LightCaseBuilder;
 pub use fields::{FIELDS, MAP_SIDE_LIMIT_TEXELS};
-pub use filter::{Filter, Kernel, PcfSize, Source};
+pub use filter::{Filter, Kernel, MOST_GROUND_PLANES, PcfSize, Source};
 
 use crate::distribution::{self, RemapKind};
 use crate::facet::FacetShape;

@@ -39,6 +39,7 @@ pub mod facet;
 pub mod fit;
 pub mod focus;
 pub mod footprint;
+pub mod ground;
 pub mod homography;
 pub mod layout;
 pub mod light;

@@ -21,7 +21,7 @@ pub use self::dominant::dominant_plane;
 pub use self::held::PlanBasis;
 pub(crate) use self::make::make;
 pub use self::request::{MapRegion, PlanRequest, ViewMargin};
-use crate::case::LightCase;
+use crate::case::{LightCase, MOST_GROUND_PLANES};
 use crate::choose::ConfigurationChoice;
 use crate::facet::{Facet, Selection};
 use crate::fit::Seen;
@@ -38,6 +38,9 @@ pub struct SceneBounds {
     pub eye_height_metres: Option<f64>,
     /// The plane that most of what is visible lies on, for cases that set a share of the map apart for it.
     pub dominant_plane: Option<WorldPlane>,
+    /// Planes whose receivers shadow nothing on themselves, for cases with masks of them
+    /// ([`crate::case::Filter::GroundMasks`]): the first as many as the case declares are taken, and must be there.
+    pub ground_planes: [Option<WorldPlane>; MOST_GROUND_PLANES],
 }
 
 impl SceneBounds {
@@ -215,6 +218,16 @@ pub enum PlanError {
         "the case declares a focus in multiples of the eye's height above the ground; give eye_height_metres or a dominant plane with the scene bounds"
     )]
     EyeHeight,
+    /// The case has masks of more planes than are given.
+    #[error(
+        "the case declares filter: ground_masks {{ planes: {declared} }}, but ground plane {missing} of the scene bounds is none; give it, or declare fewer planes"
+    )]
+    GroundPlane {
+        /// Planes of the case.
+        declared: u32,
+        /// Place of the first that is not given, from 0.
+        missing: u32,
+    },
     /// The light or the bounds hold NaN or infinite numbers.
     #[error("{what} is not finite; give finite numbers")]
     NotFinite {

@@ -8,6 +8,7 @@ mod caster;
 mod constant;
 mod describe;
 mod filter;
+mod ground;
 mod write;
 
 pub use caster::{CasterAttribute, CasterBinding, CasterShader, CasterSpace, CasterTable, caster_rows};
@@ -225,6 +226,13 @@ pub enum Meaning {
     /// Band limits: four to a vector, `ceil((bands - 1) / 4)` vectors to a sector; unused entries are the largest
     /// float.
     Thresholds,
+    /// Planes with masks of their own, as unit normals and offsets relative to the eye, in the case's axes.
+    GroundPlanes,
+    /// Where those planes lie in tiles, four vectors to a plane, planes of a cell one after the other: see
+    /// [`crate::ground::PlaneInTile`], whose figures stand in xyz; zero where a plane is not lit.
+    GroundTiles,
+    /// Edges of facets that share their tile, of clip x/w and y/w in xyz; as many to a cell as facets have clip half-spaces.
+    GroundEdges,
     /// All facets, by index.
     Facets,
     /// Direction relative to the eye, in the case's axes, depth 1, at the image's upper left corner.
@@ -267,6 +275,11 @@ impl Meaning {
             Self::Thresholds => {
                 "Ascending band limits of each sector, four to a vector; unused ones are out of reach."
             }
+            Self::GroundPlanes => "Planes with masks, as normals and offsets, in the case's axes.",
+            Self::GroundTiles => {
+                "Planes in tiles, four vectors each: depth, one over w, squared densities of texels along x and y."
+            }
+            Self::GroundEdges => "Edges of facets in tiles that they share, positive inside.",
             Self::Facets => "The facets: cell = (half * sectors + sector) * bands + band.",
             Self::RoundingDepth => "Depth by which an exact receiver plane is lowered for rounding.",
             Self::Remap => "How y/w becomes clip y: shifts and scales of a monotone curve.",
@@ -348,6 +361,12 @@ pub enum BindingKind {
     MomentRows,
     /// Moments of the map's depths, blurred: `texture_2d<f32>` of two channels, not filtered.
     Moments,
+    /// Masks of planes, blurred along rows: `texture_2d<f32>` of as many channels as planes, or one more; not filtered.
+    GroundRows,
+    /// Masks of planes, blurred: `texture_2d<f32>` of as many channels, filtered.
+    GroundMasks,
+    /// `sampler`, linear.
+    GroundSampler,
     /// The engine's depth: `texture_depth_2d`.
     SceneDepth,
     /// The engine's linear depth: `texture_2d<f32>`, not filtered.
@@ -393,9 +412,9 @@ pub enum ShaderKind {
     CaptureBent,
     /// Decides every triangle of casters with an alpha mask texel by texel.
     CaptureBentTested,
-    /// Takes moments of the map's depths and blurs them along rows, tile by tile.
+    /// Takes moments of the map's depths, or what covers planes, and blurs them along rows, tile by tile.
     PrefilterRows,
-    /// Blurs moments along columns, tile by tile.
+    /// Blurs them along columns, tile by tile.
     PrefilterColumns,
     /// Screen-space visibility.
     Mask,
@@ -464,6 +483,10 @@ pub enum Resource {
     MomentRows,
     /// Blurred moments.
     Moments,
+    /// Masks of planes, blurred along rows.
+    GroundRows,
+    /// Blurred masks of planes.
+    GroundMasks,
     /// The engine's depth.
     SceneDepth,
     /// The engine's normals.
@@ -481,6 +504,8 @@ impl Resource {
             Self::Map => "map",
             Self::MomentRows => "moment rows",
             Self::Moments => "moments",
+            Self::GroundRows => "ground rows",
+            Self::GroundMasks => "ground masks",
             Self::SceneDepth => "scene depth",
             Self::SceneNormal => "scene normal",
             Self::Mask => "mask",

@@ -4,6 +4,7 @@
 //! one. Both take the plan alone, whatever technique made it, and the case's filter and bias.
 
 mod capture;
+mod ground;
 mod kernel;
 mod moments;
 mod resolve;

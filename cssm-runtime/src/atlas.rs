@@ -2,7 +2,7 @@
 
 use cssm_core::case::DepthFormat;
 use cssm_core::plan::DepthOrder;
-use cssm_core::table::{BindingKind, CaseTable, ShaderKind};
+use cssm_core::table::{BindingKind, CaseTable, ConstantKind, ConstantValue, ShaderKind};
 
 use crate::depth_order::ByOrder;
 
@@ -13,13 +13,14 @@ pub(crate) struct Atlas {
     pub(crate) view: wgpu::TextureView,
     comparison: ByOrder<wgpu::Sampler>,
     gather: wgpu::Sampler,
+    linear: wgpu::Sampler,
     /// What the prefilter writes, where a case has one.
-    pub(crate) moments: Option<Moments>,
+    pub(crate) prefiltered: Option<Prefiltered>,
 }
 
-/// Moments of the map's depths.
+/// Moments of the map's depths, or masks of planes.
 #[derive(Debug)]
-pub(crate) struct Moments {
+pub(crate) struct Prefiltered {
     /// Blurred along rows alone.
     pub(crate) rows: wgpu::TextureView,
     /// Blurred.
@@ -47,52 +48,66 @@ impl Atlas {
         });
         let gather = device
             .create_sampler(&wgpu::SamplerDescriptor { label: Some("cssm gather"), ..Default::default() });
-        let moments = table.pass(ShaderKind::PrefilterRows).map(|_| Moments {
-            rows: moment_texture(device, "cssm moment rows", table),
-            blurred: moment_texture(device, "cssm moments", table),
+        let linear = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("cssm linear"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
         });
-        Self { texture, view, comparison, gather, moments }
+        let prefiltered = table.pass(ShaderKind::PrefilterRows).map(|_| Prefiltered {
+            rows: prefiltered_texture(device, "cssm prefiltered rows", table),
+            blurred: prefiltered_texture(device, "cssm prefiltered", table),
+        });
+        Self { texture, view, comparison, gather, linear, prefiltered }
     }
 
-    /// What to bind for the map or its moments.
+    /// What to bind for the map or what the prefilter made of it.
     pub(crate) fn texture_resource(&self, kind: BindingKind) -> Option<wgpu::BindingResource<'_>> {
-        let moments = self.moments.as_ref();
+        let prefiltered = self.prefiltered.as_ref();
         let view = match kind {
             BindingKind::Map => Some(&self.view),
-            BindingKind::MomentRows => moments.map(|moments| &moments.rows),
-            BindingKind::Moments => moments.map(|moments| &moments.blurred),
+            BindingKind::MomentRows | BindingKind::GroundRows => prefiltered.map(|images| &images.rows),
+            BindingKind::Moments | BindingKind::GroundMasks => prefiltered.map(|images| &images.blurred),
             _ => None,
         };
         view.map(wgpu::BindingResource::TextureView)
     }
 
-    /// What to bind for the map, its moments or one of its samplers.
+    /// What to bind for the map, what the prefilter made of it, or one of its samplers.
     pub(crate) fn resource(&self, kind: BindingKind, order: DepthOrder) -> Option<wgpu::BindingResource<'_>> {
         match kind {
             BindingKind::ComparisonSampler => Some(wgpu::BindingResource::Sampler(self.comparison.of(order))),
             BindingKind::GatherSampler => Some(wgpu::BindingResource::Sampler(&self.gather)),
+            BindingKind::GroundSampler => Some(wgpu::BindingResource::Sampler(&self.linear)),
             _ => self.texture_resource(kind),
         }
     }
 }
 
-/// A texture of the map's size for mean and mean square.
-fn moment_texture(device: &wgpu::Device, label: &str, table: &CaseTable) -> wgpu::TextureView {
+/// A texture of the map's size for what the prefilter writes.
+fn prefiltered_texture(device: &wgpu::Device, label: &str, table: &CaseTable) -> wgpu::TextureView {
     let texture = device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d { width: table.map_width, height: table.map_height, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: MOMENT_FORMAT,
+        format: prefiltered_format(table),
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
         view_formats: &[],
     });
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
-/// Texel format of moments.
-pub(crate) const MOMENT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Float;
+/// Texel format of what the prefilter writes: mean and mean square, or a channel for each plane.
+pub(crate) fn prefiltered_format(table: &CaseTable) -> wgpu::TextureFormat {
+    match table.constant(ConstantKind::GroundPlanes).map(|constant| constant.value) {
+        None => wgpu::TextureFormat::Rg32Float,
+        Some(ConstantValue::U32(1)) => wgpu::TextureFormat::R8Unorm,
+        Some(ConstantValue::U32(2)) => wgpu::TextureFormat::Rg8Unorm,
+        Some(_) => wgpu::TextureFormat::Rgba8Unorm,
+    }
+}
 
 fn own_texture(device: &wgpu::Device, table: &CaseTable) -> wgpu::Texture {
     let label = format!("{} map", table.prefix);

@@ -87,9 +87,9 @@ impl Gpu {
 
     /// Records the prefilter over the tiles of a frame that was just captured, where the case has one.
     pub(crate) fn prefilter(&self, encoder: &mut wgpu::CommandEncoder, slot: &Slot) {
-        let parts = (&self.layouts.prefilter, &self.atlas.moments, &slot.prefilter_groups);
-        if let (Some(prefilter), Some(moments), Some(groups)) = parts {
-            prefilter.replay(encoder, moments, groups);
+        let parts = (&self.layouts.prefilter, &self.atlas.prefiltered, &slot.prefilter_groups);
+        if let (Some(prefilter), Some(images), Some(groups)) = parts {
+            prefilter.replay(encoder, images, groups);
         }
     }
 

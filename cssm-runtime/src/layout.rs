@@ -171,9 +171,14 @@ fn binding_type(table: &CaseTable, kind: BindingKind) -> wgpu::BindingType {
         BindingKind::SceneLinearDepth
         | BindingKind::SceneNormal
         | BindingKind::MomentRows
+        | BindingKind::GroundRows
         | BindingKind::Moments => texture(wgpu::TextureSampleType::Float { filterable: false }),
-        BindingKind::CasterMask => texture(wgpu::TextureSampleType::Float { filterable: true }),
-        BindingKind::CasterMaskSampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+        BindingKind::CasterMask | BindingKind::GroundMasks => {
+            texture(wgpu::TextureSampleType::Float { filterable: true })
+        }
+        BindingKind::CasterMaskSampler | BindingKind::GroundSampler => {
+            wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)
+        }
         BindingKind::ComparisonSampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison),
         BindingKind::GatherSampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::NonFiltering),
     }

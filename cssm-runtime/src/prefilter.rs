@@ -1,4 +1,5 @@
-//! The prefilter: moments of the map's depths, blurred tile by tile between capture and resolve.
+//! The prefilter: moments of the map's depths, or masks of what covers planes, blurred tile by tile between capture and
+//! resolve.
 //!
 //! Two passes of one draw each cover the tiles of a plan by instances, one for each cell of its selection walk; the tiles
 //! themselves stand in the shadow record that resolving reads. Texels outside the plan's tiles keep what they hold, so
@@ -6,7 +7,7 @@
 
 use cssm_core::table::{BindingKind, CaseTable, GroupContent, ShaderKind};
 
-use crate::atlas::{Atlas, MOMENT_FORMAT, Moments};
+use crate::atlas::{Atlas, Prefiltered, prefiltered_format};
 use crate::error::ServiceError;
 use crate::frame::uniform;
 use crate::layout::{bind_group, group_layout, image_pipeline, required_group, required_pass, shader_module};
@@ -79,11 +80,11 @@ impl Prefilter {
     pub(crate) fn replay(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        moments: &Moments,
+        images: &Prefiltered,
         groups: &PrefilterGroups,
     ) {
-        self.rows.replay(encoder, &moments.rows, &groups.rows, self.cells);
-        self.columns.replay(encoder, &moments.blurred, &groups.columns, self.cells);
+        self.rows.replay(encoder, &images.rows, &groups.rows, self.cells);
+        self.columns.replay(encoder, &images.blurred, &groups.columns, self.cells);
     }
 }
 
@@ -98,7 +99,7 @@ impl Stage {
         let mut groups = vec![None; 1 + declared.group as usize];
         groups[declared.group as usize] = Some(&layout);
         let pipeline = checked(device, "a prefilter pipeline", || {
-            image_pipeline(device, PASS_LABEL, &groups, &module, pass, MOMENT_FORMAT)
+            image_pipeline(device, PASS_LABEL, &groups, &module, pass, prefiltered_format(table))
         })?;
         Ok(Self { shader, group: declared.group, layout, pipeline })
     }

@@ -1,7 +1,9 @@
 //! What a case needs of a device, known before there is one.
 
 use cssm_core::distribution::RemapKind;
-use cssm_core::table::{BindingKind, CaseTable, FieldType, Meaning, Record, RecordField, RecordKind};
+use cssm_core::table::{
+    BindingKind, CaseTable, ConstantKind, ConstantValue, FieldType, Meaning, Record, RecordField, RecordKind,
+};
 
 use crate::capture::vertex_storage_buffers;
 use crate::error::ServiceError;
@@ -95,12 +97,19 @@ pub(crate) fn check_limits(offered: &wgpu::Limits, table: &CaseTable) -> Result<
 pub(crate) fn check_records(table: &CaseTable) -> Result<(), ServiceError> {
     let facet_bytes = table.record(RecordKind::Facet).map_or(0, |record| record.size_bytes);
     let (sectors, bands) = (table.halves.saturating_mul(table.sectors), table.bands);
+    let planes = match table.constant(ConstantKind::GroundPlanes).map(|constant| constant.value) {
+        Some(ConstantValue::U32(planes)) => planes,
+        _ => 0,
+    };
     let fits = |record: &Record, field: &RecordField| {
         let (size, elements) = match field.meaning {
             Meaning::Facets => (facet_bytes, table.cells()),
             Meaning::Borders | Meaning::Distances | Meaning::Units => (16, sectors),
             Meaning::Dominant => (16, 2),
             Meaning::Remap if table.remap == RemapKind::Logarithmic => (16, 2),
+            Meaning::GroundPlanes => (16, planes),
+            Meaning::GroundTiles => (16, table.cells().saturating_mul(planes).saturating_mul(4)),
+            Meaning::GroundEdges => (16, table.cells().saturating_mul(table.clips)),
             Meaning::Clips => (16, table.clips),
             Meaning::Thresholds => (16, sectors.saturating_mul(bands.saturating_sub(1).div_ceil(4))),
             _ => (field_bytes(field.ty), 0),

@@ -74,10 +74,19 @@ fn shrunk(mut case: LightCase) -> LightCase {
 
 /// The case's plan; `None` where the small map cannot hold its tiles or the view is not one that it serves.
 fn planned(case: &LightCase, yard: &Yard, view: &View, light: usize) -> Option<ShadowPlan> {
+    let plane = |height: f64, normal_world: DVec3| {
+        Some(WorldPlane { point_world: ORIGIN + DVec3::Y * height, normal_world })
+    };
     let bounds = SceneBounds {
         receivers: case.scene_bounds.then(|| yard.bounds()),
         eye_height_metres: Some(view.eye_world.y - ORIGIN.y),
-        dominant_plane: Some(WorldPlane { point_world: ORIGIN, normal_world: DVec3::Y }),
+        dominant_plane: plane(0.0, DVec3::Y),
+        ground_planes: [
+            plane(0.0, DVec3::Y),
+            plane(4.0, DVec3::Y),
+            plane(0.0, DVec3::X),
+            plane(50.0, DVec3::new(0.3, 1.0, 0.2)),
+        ],
     };
     let foreign = case.far == FarKind::Finite && view.far_metres.is_infinite();
     match plan(case, view, &lights(case.light)[light], &bounds) {

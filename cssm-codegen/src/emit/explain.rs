@@ -114,7 +114,14 @@ fn tiles(case: &LightCase, table: &CaseTable, out: &mut Out) {
     let mebibytes = (texels * u64::from(format.bytes_per_texel())) as f64 / f64::from(1 << 20);
     let (width, height) = (table.map_width, table.map_height);
     out.line(format!("  map of {width} x {height} texels, {}, {mebibytes:.1} MiB", format.name()));
-    if case.filter.is_prefiltered() {
+    let planes = case.filter.ground_planes();
+    if planes > 0 {
+        let bytes = texels * u64::from(planes).next_power_of_two();
+        let mebibytes = bytes as f64 / f64::from(1 << 20);
+        out.line(format!(
+            "  masks of {planes} planes in as many texels, blurred along rows and then columns, {mebibytes:.1} MiB each"
+        ));
+    } else if case.filter.is_prefiltered() {
         let mebibytes = (texels * MOMENT_BYTES) as f64 / f64::from(1 << 20);
         out.line(format!(
             "  moments of as many texels, blurred along rows and then columns, {mebibytes:.1} MiB each"
@@ -273,6 +280,7 @@ fn fetches(case: &LightCase, table: &CaseTable, out: &mut Out) {
         Filter::Gather2x2 => "gather of 4 texels",
         Filter::Pcf { kernel: Kernel::Texels, .. } => "gathers of 4 texels",
         Filter::Pcf { .. } => "gathers of 4 texels, at most",
+        Filter::GroundMasks { .. } => "sample of blurred masks, or gather of 4 texels",
         Filter::Evsm2 { .. } => "loads of 1 texel of blurred moments",
         Filter::Pcss { .. } => "gathers of 4 texels to find casters and to blend, at most",
     };

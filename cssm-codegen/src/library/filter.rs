@@ -3,7 +3,7 @@
 use cssm_core::case::{Bias, Filter, Kernel, LightCase};
 use cssm_core::table::{CaseTable, ShaderKind};
 
-use super::order;
+use super::{Remap, order, remap};
 
 /// Files of the filter and its kernel.
 pub(super) fn files(case: &LightCase, table: &CaseTable, plane: bool) -> Vec<&'static str> {
@@ -14,6 +14,8 @@ pub(super) fn files(case: &LightCase, table: &CaseTable, plane: bool) -> Vec<&'s
         (Filter::Hardware2x2, true) => return vec!["filter_hardware_plane"],
         (Filter::Gather2x2, false) => return vec!["filter_gather_flat"],
         (Filter::Gather2x2, true) => return vec!["filter_gather_plane"],
+        (Filter::GroundMasks { .. }, false) => return vec!["filter_gather_flat", "filter_ground"],
+        (Filter::GroundMasks { .. }, true) => return vec!["filter_gather_plane", "filter_ground"],
         (Filter::Evsm2 { .. }, _) => return vec!["moments_warp", "filter_moments"],
         (Filter::Pcf { kernel: Kernel::Texels, .. }, _) => &["kernel_texels", "filter_pcf_fixed"],
         (Filter::Pcf { kernel: Kernel::Metres(_), .. }, _) => &["kernel_metres", "filter_pcf_varying"],
@@ -49,10 +51,48 @@ pub(super) fn joined_wide(case: &LightCase, many: bool, local: bool) -> &'static
     }
 }
 
+/// The file that joins a filter with masks of planes.
+pub(super) fn joined_masked(case: &LightCase, many: bool, local: bool) -> &'static str {
+    match (many, case.bias.reads_normal(), local) {
+        (false, _, _) if case.bias == Bias::None => "visibility_one_unbiased_masked",
+        (true, _, _) if case.bias == Bias::None => "visibility_many_unbiased_masked",
+        (false, false, false) => "visibility_one_biased_masked",
+        (false, false, true) => "visibility_one_biased_local_masked",
+        (false, true, false) => "visibility_one_normal_masked",
+        (false, true, true) => "visibility_one_normal_local_masked",
+        (true, false, false) => "visibility_many_biased_masked",
+        (true, false, true) => "visibility_many_biased_local_masked",
+        (true, true, false) => "visibility_many_normal_masked",
+        (true, true, true) => "visibility_many_normal_local_masked",
+    }
+}
+
 /// Files of a pass of the prefilter.
-pub(super) fn prefilter(table: &CaseTable, shader: ShaderKind) -> Vec<&'static str> {
+pub(super) fn prefilter(case: &LightCase, table: &CaseTable, shader: ShaderKind) -> Vec<&'static str> {
+    if case.filter.ground_planes() > 0 {
+        return ground(table, shader);
+    }
     if shader == ShaderKind::PrefilterColumns {
         return vec!["moments_tile", "prefilter_columns"];
     }
     vec!["moments_tile", "moments_warp", order(table), "prefilter_rows"]
+}
+
+/// Files of a pass that makes masks of planes.
+fn ground(table: &CaseTable, shader: ShaderKind) -> Vec<&'static str> {
+    let mut names = remap(table.remap, &[Remap::Slope, Remap::Inverse]);
+    names.push(if names.is_empty() { "ground_straight" } else { "ground_bent" });
+    names.extend(["ground_corner", "ground_planes"]);
+    let cut = table.clips > 0;
+    names.extend(cut.then_some("ground_cut"));
+    names.extend(match (shader, cut) {
+        (ShaderKind::PrefilterColumns, false) => ["ground_columns", "prefilter_ground_columns"],
+        (ShaderKind::PrefilterColumns, true) => ["ground_columns", "prefilter_ground_columns_cut"],
+        (_, false) => ["ground_rows", "prefilter_ground_rows"],
+        (_, true) => ["ground_rows", "prefilter_ground_rows_cut"],
+    });
+    if shader == ShaderKind::PrefilterRows {
+        names.push(order(table));
+    }
+    names
 }

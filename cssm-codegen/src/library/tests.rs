@@ -78,11 +78,13 @@ fn resolve_cases() -> Vec<LightCase> {
         Bias::ReceiverPlane,
     ];
     let moments = Filter::Evsm2 { exponent: 20.0, blur_texels: 2, bleeding: 0.1 };
-    let narrow = [Filter::None, Filter::Hardware2x2, Filter::Gather2x2, moments];
+    let masks = Filter::GroundMasks { planes: 3, blur_metres: 0.2, reach_texels: 8 };
+    let narrow = [Filter::None, Filter::Hardware2x2, Filter::Gather2x2, moments, masks];
     let mut cases = Vec::new();
     for bias in biases {
         let case = |light| LightCase::builder("Reference").light(light).bias(bias);
         cases.extend(local_and_bent(&case));
+        cases.extend(local_and_bent(&|light| case(light).filter(masks)));
         for index in 0..WIDE_FILTERS {
             let case = |light| case(light).filter(wide_filters(light)[index]);
             let directional = || case(LightKind::Directional);

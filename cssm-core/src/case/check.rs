@@ -169,7 +169,7 @@ fn read(name: &str, doc: &str, public: bool, arguments: &Arguments) -> (LightCas
             format!("give `{instead}`, or leave it out"),
         ));
     }
-    if case.filter.is_prefiltered() && light.is_local() {
+    if matches!(case.filter, Filter::Evsm2 { .. }) && light.is_local() {
         errors.push(error(
             "filter",
             format!("filter `{}` is not made for a light of kind `{}`", case.filter.name(), light.name()),

@@ -32,6 +32,11 @@ pub enum Filter {
     /// casters before the receiver is its shadow (exponential variance shadow maps, Lauritzen and McCool 2008, with the
     /// positive exponent alone). The moments bound the share of light from above: a receiver narrower than the kernel,
     /// with far surfaces beside it, such as a leaf before the ground, may be lit where `Pcf` shades it.
+    ///
+    /// For directional lights alone. Depth from a local light runs with one over the distance from it, and begins close to
+    /// it, so that receivers at any distance have one: a metre where receivers are is next to nothing of the whole depth,
+    /// and no exponent that f32 can hold tells casters and receivers apart there. To begin farther away would leave
+    /// receivers near the light without shadows.
     Evsm2 {
         /// Exponent over a facet's whole depth.
         exponent: f64,
@@ -39,6 +44,25 @@ pub enum Filter {
         blur_texels: u32,
         /// Share of light below which a receiver counts as dark: takes away light that leaks from one caster to another.
         bleeding: f64,
+    },
+    /// For receivers on a few planes that shadow nothing on themselves, such as ground, floor and walls: where something
+    /// stands between the light and a plane, blurred severely ahead of resolving and read by one bilinear fetch
+    /// (Kozlov, perspective shadow maps: care and feeding, 2004, section 14.3.2). Such receivers compare no depth and
+    /// need no bias; all others are filtered as by [`Self::Gather2x2`]. The planes come with the scene bounds of each plan
+    /// ([`crate::SceneBounds::ground_planes`]). A plane is endless: where it runs on beneath another surface, as a wall does
+    /// beneath the ground, it is covered, and the blur brings some of that shade to its foot.
+    ///
+    /// Which plane a receiver lies on is told by its distance from them, within what f32 may have moved it
+    /// ([`crate::ground::ROUNDING`]): the mask pass knows no more of a pixel than its position, and a material needs to
+    /// pass nothing.
+    GroundMasks {
+        /// Planes, 1 to 4, each with a channel of its own.
+        planes: u32,
+        /// Standard deviation of the Gaussian in metres on the plane: a straight edge goes from 10 to 90 percent of
+        /// light within 2.56 of them. At least half a texel, at most 0.4 of the reach.
+        blur_metres: f64,
+        /// Texels to either side that the Gaussian is cut off at.
+        reach_texels: u32,
     },
 }
 
@@ -111,6 +135,7 @@ impl Filter {
             Self::Pcf { size: PcfSize::Seven, .. } => "pcf_7x7",
             Self::Pcss { .. } => "pcss",
             Self::Evsm2 { .. } => "evsm_2",
+            Self::GroundMasks { .. } => "ground_masks",
         }
     }
 
@@ -123,6 +148,7 @@ impl Filter {
             Self::Pcf { size, .. } => size.texels().div_ceil(2),
             Self::Pcss { reach_texels, .. } => reach_texels,
             Self::Evsm2 { blur_texels, .. } => blur_texels + 1,
+            Self::GroundMasks { reach_texels, .. } => reach_texels + 1,
         }
     }
 
@@ -134,12 +160,21 @@ impl Filter {
             Self::Pcf { size, .. } => size.texels() + 1,
             Self::Pcss { reach_texels, .. } => 2 * reach_texels + 1,
             Self::Evsm2 { blur_texels, .. } => 2 * blur_texels + 2,
+            Self::GroundMasks { reach_texels, .. } => 2 * reach_texels + 2,
         }
     }
 
     /// Whether the map is filtered ahead of resolving.
     pub const fn is_prefiltered(self) -> bool {
-        matches!(self, Self::Evsm2 { .. })
+        matches!(self, Self::Evsm2 { .. } | Self::GroundMasks { .. })
+    }
+
+    /// Planes with masks of their own.
+    pub const fn ground_planes(self) -> u32 {
+        match self {
+            Self::GroundMasks { planes, .. } => planes,
+            _ => 0,
+        }
     }
 
     /// Whether the filter has a kernel of a width that it finds receiver by receiver.
@@ -180,6 +215,14 @@ impl Filter {
                 ];
                 Word::with(self.name(), arguments)
             }
+            Self::GroundMasks { planes, blur_metres, reach_texels } => {
+                let arguments = [
+                    ("planes", Value::Count(planes)),
+                    ("blur", Value::Number(blur_metres)),
+                    ("reach", Value::Count(reach_texels)),
+                ];
+                Word::with(self.name(), arguments)
+            }
             Self::None | Self::Hardware2x2 | Self::Gather2x2 => Word::plain(self.name()),
         }
     }
@@ -198,6 +241,11 @@ impl Filter {
                 exponent: word.arguments.number("exponent").unwrap_or(1.0),
                 blur_texels: word.arguments.count("blur").unwrap_or(0),
                 bleeding: word.arguments.number("bleeding").unwrap_or(0.0),
+            },
+            "ground_masks" => Self::GroundMasks {
+                planes: word.arguments.count("planes").unwrap_or(1),
+                blur_metres: word.arguments.number("blur").unwrap_or(0.0),
+                reach_texels: word.arguments.count("reach").unwrap_or(1),
             },
             "pcss" => {
                 let number = |name: &str| word.arguments.number(name);
@@ -322,6 +370,30 @@ const EVSM: &[Field] = &[
     },
 ];
 
+const GROUND: &[Field] = &[
+    Field {
+        name: "planes",
+        summary: "planes, each with a channel of its own",
+        kind: Kind::Count { min: 1, max: MOST_GROUND_PLANES as u32 },
+        default: Default::Value("1"),
+    },
+    Field {
+        name: "blur",
+        summary: "standard deviation of the blur on the plane",
+        kind: Kind::Number { min: 0.0, max: 1e3, open: true, unit: Unit::Length },
+        default: Default::Value("10 cm"),
+    },
+    Field {
+        name: "reach",
+        summary: "texels to either side that the blur is cut off at; tiles have gutters of two more",
+        kind: Kind::Count { min: 1, max: 31 },
+        default: Default::Value("8"),
+    },
+];
+
+/// Most planes that have masks of their own: channels of a texel.
+pub const MOST_GROUND_PLANES: usize = 4;
+
 /// Filters in declarations.
 pub(super) const FILTERS: &[Choice] = &[
     Choice::plain("none", "nearest texel, hard edge"),
@@ -351,5 +423,10 @@ pub(super) const FILTERS: &[Choice] = &[
         name: "evsm_2",
         summary: "moments of warped depth, blurred ahead of resolving; for directional lights",
         arguments: EVSM,
+    },
+    Choice {
+        name: "ground_masks",
+        summary: "shadows on given planes, blurred ahead of resolving; gather_2x2 on all else",
+        arguments: GROUND,
     },
 ];

@@ -5,7 +5,8 @@ use glam::{DVec3, DVec4};
 use super::fitted::PREDICTED;
 use super::make::shear;
 use super::visible::{self, Visible};
-use super::{PlanRequest, ShadowPlan};
+use super::{PlanRequest, ShadowPlan, WorldPlane};
+use crate::case::MOST_GROUND_PLANES;
 use crate::facet::{Facet, Tile};
 use crate::fit::Cut;
 use crate::homography::{Gradients, singular_values};
@@ -28,6 +29,8 @@ pub struct PlanBasis {
     pub cut: Cut,
     /// Half-spaces that hold everything within a local light's range and cone; none for a directional light.
     pub lit: Vec<DVec4>,
+    /// Planes with masks of their own, as many as the case declares, then none.
+    pub ground_planes: [Option<WorldPlane>; MOST_GROUND_PLANES],
     /// Predicted 95th percentile of the texel footprint over sample receivers of the view that the plan was made for,
     /// screen pixels.
     pub p95_pixels: f64,
@@ -71,14 +74,24 @@ impl ShadowPlan {
         self.shear = shear(view, light_camera, self.basis.follows_camera);
     }
 
+    /// The planes with masks of their own, as unit normals and offsets relative to the eye, world axes, in the order of their
+    /// channels.
+    pub fn ground_planes(&self) -> impl Iterator<Item = DVec4> + '_ {
+        self.basis.ground_planes.iter().flatten().map(|plane| {
+            let normal = plane.normal_world.normalize_or_zero();
+            normal.extend(normal.dot(self.eye_world - plane.point_world))
+        })
+    }
+
     /// Whether the plan has a facet for everything that a request may see in shadow: all receivers of its view, without
-    /// its margin, must lie among those that the plan was made for. Also false where the light is another one, or where
-    /// the request names another part of the map. The request's case must be the plan's own.
+    /// its margin, must lie among those that the plan was made for. Also false where the light or a plane with a mask of
+    /// its own is another one, or where the request names another part of the map. The request's case must be the plan's own.
     pub fn covers(&self, request: &PlanRequest<'_>) -> bool {
         let map = (request.case.map.width, request.case.map.height);
         if *request.light != self.basis.light
             || map != self.map_size_texels
             || request.checked_region() != Ok(self.region)
+            || visible::ground_planes(request).as_ref() != Ok(&self.basis.ground_planes)
         {
             return false;
         }

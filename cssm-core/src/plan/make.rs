@@ -24,6 +24,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     let view = &widened(request)?;
     let Visible { light_world, light_camera, cone, receivers, lit, seen } = Visible::of(request, view)?;
     let plane = visible::dominant_row(view, &request.bounds)?;
+    let ground_planes = visible::ground_planes(request)?;
     let eye_height_metres = request.bounds.eye_height_metres.or(plane.map(|plane| plane.w.abs()));
     if eye_height_metres.is_none() && distribution::needs_eye_height(case) {
         return Err(PlanError::EyeHeight);
@@ -70,6 +71,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
                 lit: situation.receivers.planes[lit.clone()].iter().copied().map(row_to_world).collect(),
                 receivers: covered.into_iter().map(row_to_world).collect(),
                 cut: situation.sighted.cut().clone(),
+                ground_planes,
                 p95_pixels,
             },
             selection: walk(selection, case, &row_to_world),

@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::{DVec3, DVec4};
 
 use super::{BoundingBox, PlanError, PlanRequest, SceneBounds, WorldPlane, lit};
-use crate::case::FarKind;
+use crate::case::{FarKind, MOST_GROUND_PLANES};
 use crate::light::Light;
 use crate::receivers::Polytope;
 use crate::technique::Cone;
@@ -86,6 +86,24 @@ pub(super) fn dominant_row(view: &View, bounds: &SceneBounds) -> Result<Option<D
         normal.ok_or(PlanError::NotFinite { what: "the dominant plane, or its normal's inverse length," })?;
     let offset = -normal.dot(point_world - view.eye_world);
     Ok(Some((view.camera_from_world * normal).extend(offset)))
+}
+
+/// The planes that the request's case has masks of.
+pub(super) fn ground_planes(
+    request: &PlanRequest<'_>,
+) -> Result<[Option<WorldPlane>; MOST_GROUND_PLANES], PlanError> {
+    let declared = request.case.filter.ground_planes();
+    let mut planes = [None; MOST_GROUND_PLANES];
+    for (index, (plane, given)) in
+        planes.iter_mut().zip(request.bounds.ground_planes).take(declared as usize).enumerate()
+    {
+        let given = given.ok_or(PlanError::GroundPlane { declared, missing: index as u32 })?;
+        if !given.point_world.is_finite() || given.normal_world.try_normalize().is_none() {
+            return Err(PlanError::NotFinite { what: "a ground plane, or its normal's inverse length," });
+        }
+        *plane = Some(given);
+    }
+    Ok(planes)
 }
 
 /// Corners of what is visible of some volumes, camera space.

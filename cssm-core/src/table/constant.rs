@@ -28,8 +28,12 @@ pub enum ConstantKind {
     KernelPixels,
     /// Exponent over a facet's whole depth.
     Exponent,
-    /// Texels to either side that moments are blurred over.
+    /// Texels to either side that the prefilter blurs over.
     Blur,
+    /// Standard deviation of the prefilter's blur in metres.
+    BlurMetres,
+    /// Planes with masks of their own.
+    GroundPlanes,
     /// Share of light below which a receiver counts as dark.
     Bleeding,
     /// Radius of the light: at a metre's distance for a directional light, in metres for a local one.
@@ -65,6 +69,8 @@ impl ConstantKind {
             Self::KernelPixels => "KERNEL_PIXELS",
             Self::Exponent => "EXPONENT",
             Self::Blur => "BLUR",
+            Self::BlurMetres => "BLUR_METRES",
+            Self::GroundPlanes => "GROUND_PLANES",
             Self::Bleeding => "BLEEDING",
             Self::LightRadius => "LIGHT_RADIUS",
             Self::Sectors => "SECTORS",
@@ -88,7 +94,9 @@ impl ConstantKind {
             Self::KernelMetres => "Half the width of the kernel, metres across the light.",
             Self::KernelPixels => "Half the width of the kernel in screen pixels.",
             Self::Exponent => "Exponent over a facet's whole depth.",
-            Self::Blur => "Texels to either side that moments are blurred over.",
+            Self::Blur => "Texels to either side that the prefilter blurs over.",
+            Self::BlurMetres => "Standard deviation of the blur in metres on the plane.",
+            Self::GroundPlanes => "Planes with masks of their own.",
             Self::Bleeding => "Share of light below which a receiver counts as dark.",
             Self::LightRadius => {
                 "Radius of the light: at a metre's distance for a directional light, in metres for a local one."

@@ -33,8 +33,8 @@ impl CaseTable {
 
         if case.filter.is_prefiltered() {
             for shader in [ShaderKind::PrefilterRows, ShaderKind::PrefilterColumns] {
-                groups.push(filter::prefilter_group(&names, shader));
-                passes.push(filter::prefilter_pass(&names, shader));
+                groups.push(filter::prefilter_group(&names, case.filter, shader));
+                passes.push(filter::prefilter_pass(&names, case.filter, shader));
             }
         }
 
@@ -195,6 +195,9 @@ fn constants(names: &Names, case: &LightCase) -> Vec<Constant> {
     constants
 }
 
+/// Vectors that tell where a plane lies in a tile.
+pub(super) const VECTORS_A_PLANE: u32 = 4;
+
 /// Vectors of four thresholds in each sector.
 fn threshold_vectors(shape: FacetShape) -> u32 {
     shape.bands.saturating_sub(1).div_ceil(4)
@@ -313,6 +316,16 @@ fn shadow_record(names: &Names, case: &LightCase, facet_bytes: u32) -> Record {
     }
     if case.may_reverse_depth() {
         layout.push("depth_sign", Meaning::DepthSign, FieldType::F32);
+    }
+    let (planes, cells) = (case.filter.ground_planes(), shape.cells());
+    if planes > 0 {
+        layout.push_array("ground_planes", Meaning::GroundPlanes, FieldType::Vec4, planes, 16);
+        let vectors = cells * planes * VECTORS_A_PLANE;
+        layout.push_array("ground_tiles", Meaning::GroundTiles, FieldType::Vec4, vectors, 16);
+    }
+    if planes > 0 && shape.clips > 0 {
+        let vectors = cells * shape.clips;
+        layout.push_array("ground_edges", Meaning::GroundEdges, FieldType::Vec4, vectors, 16);
     }
     layout.push_array("facets", Meaning::Facets, FieldType::Facet, shape.cells(), facet_bytes);
     layout.record(RecordKind::Shadow, names.ty(RecordKind::Shadow.name()))
@@ -464,18 +477,14 @@ fn capture_pass(names: &Names, shader: ShaderKind) -> Pass {
 }
 
 fn mask_pass(names: &Names, filter: Filter, normal: MaskNormal) -> Pass {
-    use Resource::{Map, Moments, SceneDepth, SceneNormal};
-    let reads: &'static [Resource] = match (normal, filter.is_prefiltered()) {
-        (MaskNormal::Reconstructed, false) => &[Map, SceneDepth],
-        (MaskNormal::Reconstructed, true) => &[Moments, SceneDepth],
-        (MaskNormal::Texture, false) => &[Map, SceneDepth, SceneNormal],
-        (MaskNormal::Texture, true) => &[Moments, SceneDepth, SceneNormal],
-    };
+    let mut reads = filter::resolved_from(filter).to_vec();
+    reads.push(Resource::SceneDepth);
+    reads.extend((normal == MaskNormal::Texture).then_some(Resource::SceneNormal));
     Pass {
         shader: ShaderKind::Mask,
         vertex: names.value("mask_vertex"),
         fragment: Some(names.value("mask_fragment")),
-        reads: Cow::Borrowed(reads),
+        reads: reads.into(),
         writes: Cow::Borrowed(&[Resource::Mask]),
     }
 }

@@ -3,6 +3,7 @@
 
 use glam::{DMat3, DVec2, DVec3, DVec4};
 
+use super::ground;
 use super::{CaseTable, Meaning, Record, RecordKind};
 use crate::case::Axes;
 use crate::facet::Facet;
@@ -70,6 +71,14 @@ pub fn write_shadow_record_to(table: &CaseTable, plan: &ShadowPlan, bytes: &mut 
             }
             Meaning::PixelMetres => put_row(bytes, offset, turned.row(plan.pixel_metres)),
             Meaning::DepthSign => put(bytes, offset, sign as f32),
+            Meaning::GroundPlanes => {
+                let turn = Turn::unsheared(table, plan);
+                for (index, plane) in plan.ground_planes().take(field.elements as usize).enumerate() {
+                    put_row(bytes, offset + index * stride, turn.row(plane));
+                }
+            }
+            Meaning::GroundTiles => ground::put_tiles(bytes, table, plan, field),
+            Meaning::GroundEdges => ground::put_edges(bytes, table, plan, field),
             Meaning::Facets => {
                 let Some(facet_record) = facet_record else { continue };
                 let write = FacetWriter { record: facet_record, turned: &turned, sign };
@@ -306,7 +315,7 @@ fn put_rows(bytes: &mut [u8], offset: usize, rows: &[DVec4], turned: &Turn) {
     }
 }
 
-fn put_row(bytes: &mut [u8], offset: usize, row: DVec4) {
+pub(super) fn put_row(bytes: &mut [u8], offset: usize, row: DVec4) {
     for (index, value) in row.to_array().into_iter().enumerate() {
         put(bytes, offset + 4 * index, value as f32);
     }

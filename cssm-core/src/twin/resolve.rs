@@ -2,11 +2,13 @@
 
 use glam::{DVec2, DVec3};
 
+use super::ground::GroundMask;
 use super::moments::Moments;
 use super::{DepthMap, kernel};
 use crate::case::{Bias, Filter, LightCase, Stretch};
 use crate::distribution::RemapKind;
 use crate::facet::{Facet, FacetRows};
+use crate::ground::{self, PlaneInTile};
 use crate::homography::Gradients;
 use crate::plan::ShadowPlan;
 
@@ -74,7 +76,22 @@ pub fn resolve(
             let corner = texel.floor();
             lit_at(reference.at(corner + 0.5), corner)
         }
-        Filter::Gather2x2 | Filter::Hardware2x2 => {
+        Filter::GroundMasks { blur_metres, reach_texels, .. }
+            if let Some(plane) = ground_plane(case, plan, facet, point_from_eye) =>
+        {
+            let mask = |plane: PlaneInTile| {
+                let mask = GroundMask {
+                    tile: &facet.tile,
+                    remap: &facet.rows.remap,
+                    plane,
+                    blur_metres,
+                    reach_texels,
+                };
+                mask.visibility(texel, (nearest, farthest), |corner| sign * stored(corner))
+            };
+            plane.map_or(1.0, mask)
+        }
+        Filter::Gather2x2 | Filter::Hardware2x2 | Filter::GroundMasks { .. } => {
             let corner = (texel - 0.5).floor();
             let weight = texel - 0.5 - corner;
             let tap = |dx: f64, dy: f64| {
@@ -114,6 +131,18 @@ pub fn resolve(
         }
     };
     Resolved { cell: index, texel, depth, visibility }
+}
+
+/// The plane with a mask that a receiver lies on, as the facet's tile shows it, if the light meets it. `None`: it lies on none.
+fn ground_plane(
+    case: &LightCase,
+    plan: &ShadowPlan,
+    facet: &Facet,
+    point_from_eye: DVec3,
+) -> Option<Option<PlaneInTile>> {
+    let index = ground::plane_of(plan.ground_planes(), point_from_eye)?;
+    let plane = plan.ground_planes().nth(index)?;
+    Some(PlaneInTile::of(plane, facet, plan.light, plan.depth_order.sign(), chord_texels(case)))
 }
 
 /// The light as a receiver sees it.

@@ -187,6 +187,7 @@ impl Camera {
             receivers: None,
             eye_height_metres: Some(self.eye_height),
             dominant_plane: Some(ground),
+            ..SceneBounds::default()
         };
         Ok(Situation {
             axis,

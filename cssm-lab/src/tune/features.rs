@@ -170,7 +170,7 @@ fn filters(case: &LightCase) -> Vec<Removal> {
         Filter::None => &[][..],
         Filter::Hardware2x2 => &[Filter::None][..],
         Filter::Gather2x2 => &[Filter::None, Filter::Hardware2x2][..],
-        Filter::Pcf { .. } | Filter::Pcss { .. } | Filter::Evsm2 { .. } => {
+        Filter::Pcf { .. } | Filter::Pcss { .. } | Filter::Evsm2 { .. } | Filter::GroundMasks { .. } => {
             &[Filter::None, Filter::Hardware2x2, Filter::Gather2x2][..]
         }
     };

@@ -83,6 +83,7 @@ fn plan(facets: Vec<Facet>) -> ShadowPlan {
             receivers: Vec::new(),
             cut: Cut::None,
             lit: Vec::new(),
+            ground_planes: [None; 4],
             p95_pixels: 1.0,
         },
         selection: Selection::single(),

@@ -96,6 +96,7 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
             receivers: Vec::new(),
             cut: Cut::None,
             lit: Vec::new(),
+            ground_planes: [None; 4],
             p95_pixels: 1.0,
         },
         selection: Selection::single(),

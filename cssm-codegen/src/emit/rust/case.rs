@@ -116,6 +116,10 @@ fn filter_value(filter: &Filter) -> TokenStream {
             let (exponent, blur_texels, bleeding) = (real(exponent), number(blur_texels), real(bleeding));
             quote!(Filter::Evsm2 { exponent: #exponent, blur_texels: #blur_texels, bleeding: #bleeding })
         }
+        Filter::GroundMasks { planes, blur_metres, reach_texels } => {
+            let (planes, blur, reach) = (number(planes), real(blur_metres), number(reach_texels));
+            quote!(Filter::GroundMasks { planes: #planes, blur_metres: #blur, reach_texels: #reach })
+        }
         Filter::Pcss { source, reach_texels } => {
             let (source, reach_texels) = (source_value(source), number(reach_texels));
             quote!(Filter::Pcss { source: #source, reach_texels: #reach_texels })

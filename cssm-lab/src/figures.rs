@@ -12,6 +12,10 @@ pub mod wind;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
+use plotters::coord::CoordTranslate;
+use plotters::prelude::*;
+
+use self::canvas::{PAPER, paint};
 use crate::error::LabError;
 use crate::picture::Picture;
 use crate::progress::Progress;
@@ -95,6 +99,22 @@ pub fn run(arguments: &FiguresArguments, progress: Progress) -> Result<String, L
         std::fs::write(&path, readme).map_err(|source| LabError::Write { path, source })?;
     }
     Ok(written)
+}
+
+/// Draws the names of a chart's series, framed.
+pub(crate) fn legend<'a, D: DrawingBackend + 'a, C: CoordTranslate>(
+    chart: &mut ChartContext<'a, D, C>,
+    position: SeriesLabelPosition,
+) -> Result<(), LabError> {
+    drawn(
+        chart
+            .configure_series_labels()
+            .position(position)
+            .label_font(("monospace", 20))
+            .background_style(paint(PAPER))
+            .border_style(paint([214, 214, 212]))
+            .draw(),
+    )
 }
 
 /// What the plotting library drew; on pictures it can only fail where a chart has no room.

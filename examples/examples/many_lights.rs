@@ -1,14 +1,17 @@
 //! The shadow service for a whole scene: a sun, a spot light and two lamps share one map; a ball of light moves, a crate
-//! moves, and only what they touch is drawn again.
+//! moves, and only what they touch is drawn again. The last frame is drawn with the facets of one lamp over it, and the map's
+//! tiles beside it.
 //!
 //! Run with `cargo run -p cssm-examples --example many_lights`.
 
 use std::error::Error;
 
+use cssm::core::case::MaskDepth;
 use cssm::core::glam::{DAffine3, DVec3};
-use cssm::runtime::lights::{CaseHandle, LightDescription, LightFrame, LightOptions};
+use cssm::runtime::lights::{CaseHandle, LightDescription, LightFrame, LightOptions, ViewId};
 use cssm::runtime::{
-    CasterInstance, LightService, MaskInputs, MeshDescription, MeshHandle, PreparedLights, wgpu,
+    CasterInstance, LightService, MaskInputs, MeshDescription, MeshHandle, Overlay, OverlayLook, OverlayTile,
+    PreparedLights, wgpu,
 };
 use cssm::{BoundingBox, Light, View};
 use cssm_examples::{Gpu, write_picture};
@@ -41,6 +44,11 @@ cssm::light_case! {
 
 const SIZE: (u32, u32) = (640, 360);
 const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
+/// The picture with the map beside it.
+const SHOWN: (u32, u32) = (SIZE.0 + SIZE.1, SIZE.1);
+const SHOWN_USAGE: wgpu::TextureUsages = wgpu::TextureUsages::RENDER_ATTACHMENT
+    .union(wgpu::TextureUsages::COPY_SRC)
+    .union(wgpu::TextureUsages::COPY_DST);
 const GROUND_METRES: f64 = 60.0;
 
 /// A box of the yard: its middle and half its sides, metres.
@@ -209,9 +217,46 @@ fn main() -> Result<(), Box<dyn Error>> {
         if number == 3 {
             let grey: Vec<u8> = picture.iter().map(|light| (light.min(1.0).sqrt() * 255.0) as u8).collect();
             write_picture("many_lights", SIZE, &grey)?;
+
+            // Look inside: the facets of the lamp that moved, and the tiles of all lights; bright ones are of this frame.
+            let shown = gpu.texture(SHOWN, wgpu::TextureFormat::Rgba8Unorm, SHOWN_USAGE);
+            let overlay = Overlay::new(&gpu.device, &gpu.queue, MaskDepth::Linear, shown.format())?;
+            let plan = service.plan(handles[1], ViewId::default()).ok_or("the lamp has no shadow")?;
+            let look = OverlayLook { opacity: 0.4, checker_texels: 16 };
+            let facets = gpu.texture(SIZE, shown.format(), SHOWN_USAGE);
+            write_left(&gpu, &facets, &grey);
+            let mut encoder = gpu.device.create_command_encoder(&Default::default());
+            overlay.draw_facets(
+                &mut encoder,
+                plan,
+                &view,
+                &depth,
+                &facets.create_view(&Default::default()),
+                &look,
+            )?;
+            encoder.copy_texture_to_texture(
+                facets.as_image_copy(),
+                shown.as_image_copy(),
+                wgpu::Extent3d { width: SIZE.0, height: SIZE.1, depth_or_array_layers: 1 },
+            );
+            let tiles = OverlayTile::of_report(prepared.report());
+            let place = [SIZE.0, 0, SIZE.1, SIZE.1];
+            let target = shown.create_view(&Default::default());
+            overlay.draw_tiles(&mut encoder, service.map(), &tiles, &target, place)?;
+            gpu.queue.submit([encoder.finish()]);
+            write_picture("many_lights_overlay", SHOWN, &gpu.read(&shown)?)?;
         }
     }
     Ok(())
+}
+
+/// Writes a grey picture into the left part of a texture.
+fn write_left(gpu: &Gpu, texture: &wgpu::Texture, grey: &[u8]) {
+    let pixels: Vec<u8> = grey.iter().flat_map(|level| [*level, *level, *level, 255]).collect();
+    let layout =
+        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * SIZE.0), rows_per_image: None };
+    let size = wgpu::Extent3d { width: SIZE.0, height: SIZE.1, depth_or_array_layers: 1 };
+    gpu.queue.write_texture(texture.as_image_copy(), &pixels, layout, size);
 }
 
 /// Corners of the triangles of a cube from -1 to 1.

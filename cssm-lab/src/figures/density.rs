@@ -8,7 +8,7 @@ use plotters::prelude::*;
 
 use super::canvas::{Canvas, LINES, PAPER, PEN, paint};
 use super::cases::case;
-use super::{Figure, FigureOptions, drawn};
+use super::{Figure, FigureOptions, drawn, legend};
 use crate::error::LabError;
 use crate::picture::Picture;
 
@@ -133,15 +133,7 @@ fn panel(name: &str, lines: &[(String, Vec<(f64, f64)>)]) -> Result<Picture, Lab
             .label(label.as_str())
             .legend(move |(x, y)| PathElement::new(vec![(x, y), (x + 18, y)], style));
     }
-    drawn(
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::LowerRight)
-            .label_font(("monospace", 20))
-            .background_style(paint(PAPER))
-            .border_style(paint([214, 214, 212]))
-            .draw(),
-    )?;
+    legend(&mut chart, SeriesLabelPosition::LowerRight)?;
     drop(chart);
     drop(area);
     Ok(picture)

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::canvas::{Canvas, LINES, PAPER, PEN, paint};
 use super::cases::case;
 use super::wind::{blown, sways};
-use super::{Figure, FigureOptions, drawn};
+use super::{Figure, FigureOptions, drawn, legend};
 use crate::creep::Creep;
 use crate::error::LabError;
 use crate::picture::Picture;
@@ -221,15 +221,7 @@ fn bars(found: &[Flicker]) -> Result<Picture, LabError> {
             .label(label)
             .legend(move |(x, y)| Rectangle::new([(x, y - 5), (x + 16, y + 5)], paint(colour).filled()));
     }
-    drawn(
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::LowerRight)
-            .label_font(("monospace", 20))
-            .background_style(paint(PAPER))
-            .border_style(paint([214, 214, 212]))
-            .draw(),
-    )?;
+    legend(&mut chart, SeriesLabelPosition::LowerRight)?;
     drop(chart);
     drop(area);
     let rows = height - 62;

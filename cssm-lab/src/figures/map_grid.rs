@@ -14,7 +14,7 @@ use plotters::prelude::*;
 
 use super::canvas::{Canvas, LINES, PAPER, PEN, paint};
 use super::cases::{case, variant, with_argument};
-use super::{Figure, FigureOptions, drawn, focus_area};
+use super::{Figure, FigureOptions, drawn, focus_area, legend};
 use crate::error::LabError;
 use crate::picture::{Colour, Picture};
 
@@ -230,15 +230,7 @@ fn chart(plans: &[(&str, ShadowPlan)], view: &View, axis: usize) -> Result<Pictu
             .label(*name)
             .legend(move |(x, y)| PathElement::new(vec![(x, y), (x + 18, y)], style));
     }
-    drawn(
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::LowerLeft)
-            .label_font(("monospace", 20))
-            .background_style(paint(PAPER))
-            .border_style(paint([220, 220, 218]))
-            .draw(),
-    )?;
+    legend(&mut chart, SeriesLabelPosition::LowerLeft)?;
     drop(chart);
     drop(area);
     Ok(picture)

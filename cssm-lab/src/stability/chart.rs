@@ -7,7 +7,7 @@ use super::{MODES, StabilityArguments, StabilityFinding, TECHNIQUES};
 use crate::creep::Creep;
 use crate::error::LabError;
 use crate::figures::canvas::{Canvas, LINES, PAPER, PEN, paint};
-use crate::figures::drawn;
+use crate::figures::{drawn, legend};
 use crate::picture::Picture;
 
 const PANEL: (usize, usize) = (600, 470);
@@ -78,15 +78,7 @@ fn panel(found: &[StabilityFinding], index: usize, creep: Creep) -> Result<Pictu
         });
         drawn(chart.draw_series(numbers))?;
     }
-    drawn(
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::LowerLeft)
-            .label_font(("monospace", 20))
-            .background_style(paint(PAPER))
-            .border_style(paint([214, 214, 212]))
-            .draw(),
-    )?;
+    legend(&mut chart, SeriesLabelPosition::LowerLeft)?;
     drop(chart);
     drop(area);
     Ok(picture)

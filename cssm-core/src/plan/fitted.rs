@@ -97,7 +97,13 @@ fn tiles(windows: &mut Windows<'_>, situation: &Situation<'_>) -> Result<Vec<Til
         may_turn: first(sharers).may_turn(),
     };
     let demands: SmallVec<[TileDemand; 8]> = shared.iter().map(demand).collect();
-    let placed = if demands.is_empty() { Vec::new() } else { layout::place(&demands, &area)? };
+    // What does not fit beside the strip does not fit the map.
+    let of_map = |error| match error {
+        PlanError::MapTooSmall { .. } => whole.too_small(windows.list.len()),
+        other => other,
+    };
+    let placed =
+        if demands.is_empty() { Vec::new() } else { layout::place(&demands, &area).map_err(of_map)? };
     let mut tiles = vec![strip; windows.list.len()];
     for (sharers, placement) in shared.iter().zip(&placed) {
         for index in sharers {

@@ -2,12 +2,12 @@
 
 use glam::{DMat3, DVec2, DVec3, DVec4};
 
+pub(crate) mod beams;
 mod casters;
 mod dominant;
 mod finish;
 mod fitted;
 mod held;
-mod inner;
 mod lit;
 mod make;
 mod region;

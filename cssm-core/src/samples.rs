@@ -1,6 +1,6 @@
 //! Sample receivers: visible points spread over the screen and, evenly in their logarithm, over depth.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3, DVec4};
 
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::view::View;
@@ -35,6 +35,45 @@ pub fn receivers(view: &View, receivers: &Polytope, count: usize) -> Vec<DVec3> 
         }
     }
     points
+}
+
+/// Sample receivers of a view by which drafts are compared.
+const COMPARED: u32 = 256;
+/// Sample receivers of a view where there is one draft.
+const ALONE: u32 = 128;
+
+/// Sample receivers by which so many drafts are judged.
+pub(crate) const fn count(drafts: usize) -> u32 {
+    if drafts > 1 { COMPARED } else { ALONE }
+}
+
+/// Visible points of the receivers in camera space, from near to far, out of `count` that are tried: even over the part
+/// of the screen that holds receivers, even in the logarithm of depth.
+pub(crate) fn visible(receivers: &Polytope, count: u32, points: &mut Vec<DVec3>) {
+    // Powers of 1/g with g^3 = g + 1: the plane's sequence of lowest known discrepancy of its kind.
+    const STEP: DVec2 = DVec2::new(0.754_877_666_246_692_7, 0.569_840_290_998_053_2);
+    let (nearest, farthest) = receivers.range(DEPTH_ROW);
+    let nearest = nearest.max(f64::MIN_POSITIVE);
+    let farthest = if farthest.is_finite() { farthest } else { SAMPLED_HORIZON_METRES.max(1e3 * nearest) };
+    let (left, right) = receivers.ratio_range(DVec4::X, DEPTH_ROW);
+    let (bottom, top) = receivers.ratio_range(DVec4::Y, DEPTH_ROW);
+
+    // Depths grow by a constant ratio.
+    let ratio = libm::exp(libm::log(farthest / nearest) / f64::from(count));
+    let mut depth = nearest * ratio.sqrt();
+    let mut place = DVec2::splat(0.5);
+    let is_whole = receivers.is_frustum();
+    points.clear();
+    for _ in 0..count {
+        let (x, y) = (left + (right - left) * place.x, bottom + (top - bottom) * place.y);
+        let point = DVec3::new(x, y, -1.0) * depth;
+        if is_whole || receivers.contains(point.extend(1.0)) {
+            points.push(point);
+        }
+        depth *= ratio;
+        place += STEP;
+        place -= DVec2::new(whole(place.x), whole(place.y));
+    }
 }
 
 /// The whole part of a small positive number.

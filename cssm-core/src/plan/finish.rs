@@ -6,7 +6,7 @@ use smallvec::SmallVec;
 use super::casters;
 use super::fitted::map_area;
 use super::region::{self, Inset};
-use super::window::{Sample, Window, Windows};
+use super::window::{Sample, Window};
 use crate::case::{Bias, DepthFormat, Filter, LightCase};
 use crate::depth::{COMPARED_SAMPLES, DepthNeeds, DepthRow, depth_rows};
 use crate::facet::{Facet, FacetRows, Tile};
@@ -47,7 +47,6 @@ pub(super) struct Finished {
 
 /// Everything of a window's facet but the choice of its depth.
 pub(super) fn finish(
-    windows: &Windows<'_>,
     window: &Window<'_>,
     tile: Tile,
     cells: Vec<u32>,
@@ -60,7 +59,7 @@ pub(super) fn finish(
         inset.ok_or_else(|| map_area(situation).too_small(1))?;
 
     // Measure texels across the light, per w.
-    let samples = windows.samples(window);
+    let samples = &window.samples(situation)[..];
     let texels = TexelsPerW::measure(&rows, inner_texels, samples, situation.view);
     let extension = PLANE_EXTENSION_TEXELS.max(situation.case.filter.radius_texels() + 1);
     let margin =

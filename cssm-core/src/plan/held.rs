@@ -33,9 +33,6 @@ pub struct PlanBasis {
 /// How far beyond a half-space a receiver may lie, relative to the terms of its distance: rounding of eyes far from the
 /// world's origin.
 const COVERED: f64 = 1e-9;
-/// Sample receivers by which a held plan is judged.
-const SAMPLES: usize = 512;
-
 impl ShadowPlan {
     /// The same plan as seen from another view: every world point has the texel, the depth and the cell that it had,
     /// expressed relative to the new eye and, in records, in the new camera axes. Everything happens in f64.
@@ -105,8 +102,10 @@ impl ShadowPlan {
         let Some(receivers) = self.covered_part(view) else { return 0.0 };
         let world_from_camera = view.camera_from_world.transpose();
         let way = view.eye_world - self.eye_world;
-        let points = samples::receivers(view, &receivers, SAMPLES).into_iter();
+        let mut points = Vec::new();
+        samples::visible(&receivers, samples::count(self.choice.predictions.len()), &mut points);
         let mut footprints: Vec<f64> = points
+            .into_iter()
             .map(|point| {
                 let from_eye = world_from_camera * point + way;
                 let facet = self.facet(self.selection.cell(from_eye.extend(1.0)));

@@ -127,7 +127,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
         } else {
             window.draft.cells.iter().map(|cell| cell.index(shape.sectors, shape.bands)).collect()
         };
-        finished.push(finish::finish(&windows, window, *tile, cells, depth, &situation)?);
+        finished.push(finish::finish(window, *tile, cells, depth, &situation)?);
     }
     let moved = |order: usize| finished.iter().map(|facet| facet.moved(order)).sum::<Option<f64>>();
     let sums = (0..depth.orders.len()).filter_map(|order| Some((order, moved(order)?)));

@@ -1,31 +1,33 @@
-//! Windows: each facet's rows fitted to its own receivers, and what a texel would span at sample receivers.
-
-use std::ops::Range;
+//! Windows: each facet's rows fitted to its own receivers, and what a texel would span there.
 
 use glam::{DVec2, DVec3, DVec4};
 use smallvec::SmallVec;
 
-use super::inner;
+use super::beams::{BEAMS, Beams, Seen};
 use crate::facet::FacetRows;
 use crate::layout::{Gram, Spread, is_balanced};
 use crate::polygon::{self, Outline};
-use crate::receivers::Polytope;
+use crate::receivers::{DEPTH_ROW, Polytope, is_negligible};
 use crate::remap::{Curve, Remap};
-use crate::samples;
+use crate::samples::{self, SAMPLED_HORIZON_METRES};
 use crate::technique::{Draft, FacetDraft, Region, Situation, TileRequest};
 
-/// Sample receivers of a view by which tiles are sized and drafts compared.
-const SAMPLES: usize = 1024;
-/// Sample receivers of a view where neither is done.
-const ALONE: usize = 128;
-/// Fewest samples of a facet; the rest come from its own polytope.
-const FEWEST_SAMPLES: usize = 24;
+/// Sample receivers of a view where its pixels are known.
+const SIGHTED: u32 = 1024;
+/// Fewest known pixels of a facet that say what its texels span.
+const FEWEST_PIXELS: usize = 24;
+/// Fewest receivers of a facet that say what its depths are.
+const FEWEST_SAMPLES: usize = 4;
+/// Part of the way from the middle of flat receivers to a vertex.
+const INNER: f64 = 0.7;
+/// Horizon of a facet that begins beyond the sampled one, in depths of its nearest receiver.
+const FARTHEST_PER_NEAREST: f64 = 4.0;
 /// Extent in x/w or y/w, relative to its size, below which a facet holds no receivers of any area.
 const EMPTY_EXTENT: f64 = 1e-12;
 /// Area in clip space, of 4, below which a facet's receivers lie on a line in the light's view.
 const EMPTY_AREA: f64 = 1e-9;
 
-/// A visible point of a facet.
+/// A receiver of a facet.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sample {
     /// The point, camera space.
@@ -33,6 +35,9 @@ pub(super) struct Sample {
     /// What the facet's whole clip space spans there.
     pub(super) gram: Gram,
 }
+
+/// Receivers of a facet, one on each ray that meets them.
+pub(super) type Samples = SmallVec<[Sample; BEAMS]>;
 
 /// A facet whose receivers fill its clip space from -1 to 1 across and up; its depth row is not found yet.
 #[derive(Debug)]
@@ -42,9 +47,9 @@ pub(super) struct Window<'a> {
     pub(super) rows: FacetRows,
     /// The receivers in x/w and y/w.
     pub(super) outline: Outline,
-    /// Its samples in the list of all.
-    samples: Range<usize>,
-    /// How many of its samples, the first ones, are samples of the view.
+    /// Rays through its receivers, where its tile is sized by them.
+    beams: Option<Beams>,
+    /// How many samples of the view lie in it.
     pub(super) seen: usize,
     /// Footprint that its texels are to have, in those of the other windows.
     coarser: f64,
@@ -56,17 +61,14 @@ pub(super) struct Window<'a> {
 #[derive(Debug)]
 pub(super) struct Windows<'a> {
     pub(super) list: Vec<Window<'a>>,
-    samples: Vec<Sample>,
-    /// Samples of the view that have no facet.
-    pub(super) outside: usize,
+    /// Window of each sample of the view; [`OUTSIDE`] where it has none.
+    owners: Vec<u32>,
 }
 
-impl Windows<'_> {
-    /// Samples of a window.
-    pub(super) fn samples(&self, window: &Window<'_>) -> &[Sample] {
-        &self.samples[window.samples.clone()]
-    }
+/// Stands for the window of samples that have none.
+const OUTSIDE: u32 = u32::MAX;
 
+impl Windows<'_> {
     /// Turns a window's clip space by a quarter: y runs along x.
     pub(super) fn turn(&mut self, index: usize) {
         let window = &mut self.list[index];
@@ -74,51 +76,84 @@ impl Windows<'_> {
         for corner in &mut window.outline {
             *corner = DVec2::new(corner.y, -corner.x);
         }
-        for sample in &mut self.samples[window.samples.clone()] {
-            sample.gram = sample.gram.turned();
-        }
+        window.beams = window.beams.map(Beams::turned);
+    }
+
+    /// Samples of the view, each with the window that it lies in.
+    pub(super) fn owned<'b>(
+        &'b self,
+        samples: &'b [DVec3],
+    ) -> impl Iterator<Item = (&'b DVec3, Option<usize>)> {
+        let window = |owner: &u32| (*owner != OUTSIDE).then_some(*owner as usize);
+        samples.iter().zip(self.owners.iter().map(window))
     }
 
     /// Gives more texels to windows with more pixels.
-    fn share(&mut self, draft: &Draft, situation: &Situation<'_>, counts: &[usize]) {
-        let texels = |sample: &Sample| (sample.gram.xx * sample.gram.yy).sqrt();
-        let mean = |window: &Window<'_>| {
-            let samples = self.samples(window);
-            samples.iter().map(texels).sum::<f64>() / samples.len().max(1) as f64
-        };
+    fn share(&mut self, draft: &Draft, situation: &Situation<'_>, samples: &[DVec3], counts: &[usize]) {
         let own = |window: &Window<'_>| {
             let mut facets = draft.facets.iter().zip(counts);
             facets.find(|(facet, _)| std::ptr::eq(*facet, window.draft)).map_or(0, |(_, count)| *count)
         };
-        let wanted: Vec<f64> = self.list.iter().map(mean).collect();
+        let wanted = (0..self.list.len()).map(|index| self.mean_texels(index, situation, samples));
+        let wanted: Vec<f64> = wanted.collect();
         let points: Vec<usize> = self.list.iter().map(own).collect();
         let coarser = situation.sighted.coarser(&wanted, &points);
+        let seen: usize = self.list.iter().map(|window| window.seen).sum();
+        let even = points.iter().sum::<usize>() as f64 / seen.max(1) as f64;
+        let trust = situation.sighted.trust();
         for ((window, coarser), points) in self.list.iter_mut().zip(coarser).zip(points) {
             window.coarser = coarser;
-            window.weight = points as f64 / window.seen.max(1) as f64;
+            let weight = points as f64 / window.seen.max(1) as f64 / even.max(f64::MIN_POSITIVE);
+            window.weight = (1.0 - trust) + trust * weight;
         }
     }
 
-    /// What the tile of some windows must span, who share it. `grams` is scratch.
-    pub(super) fn spread(&self, windows: &[usize], grams: &mut Vec<Gram>) -> Spread {
-        grams.clear();
-        let mut may_turn = true;
-        for index in windows {
-            let window = &self.list[*index];
-            may_turn &= window.may_turn();
-            let samples = self.samples(window).iter();
-            match request(window.draft) {
-                TileRequest::Coarser { times, focus_metres } => {
-                    let grown = |depth: f64| window.coarser * times * (depth / focus_metres).max(1.0);
-                    grams.extend(samples.map(|sample| sample.gram.shortened(grown(-sample.point.z))));
-                }
-                _ if window.coarser != 1.0 => {
-                    grams.extend(samples.map(|sample| sample.gram.shortened(window.coarser)));
-                }
-                _ => grams.extend(samples.map(|sample| sample.gram)),
-            }
+    /// Receivers of a window where it is known exactly what is seen: that and, as long as it holds enough, nothing else.
+    fn known(&self, index: usize, situation: &Situation<'_>, samples: &[DVec3]) -> Vec<Sample> {
+        let rows = &self.list[index].rows;
+        let own = self.owned(samples).filter(|(_, owner)| *owner == Some(index));
+        let sample = |point: &DVec3| gram(rows, situation, *point).map(|gram| Sample { point: *point, gram });
+        let mut known: Vec<Sample> = own.filter_map(|(point, _)| sample(point)).collect();
+        if known.len() < FEWEST_PIXELS {
+            known.extend(self.list[index].samples(situation));
         }
-        Spread::of(grams, may_turn)
+        known
+    }
+
+    /// How many texels a window's clip space wants at a footprint of one pixel, in the mean.
+    fn mean_texels(&self, index: usize, situation: &Situation<'_>, samples: &[DVec3]) -> f64 {
+        if situation.sighted.samples().is_none() {
+            return self.list[index].beams(situation).mean_texels();
+        }
+        let known = self.known(index, situation, samples);
+        let texels = |sample: &Sample| (sample.gram.xx * sample.gram.yy).sqrt();
+        known.iter().map(texels).sum::<f64>() / known.len().max(1) as f64
+    }
+
+    /// What the tile of a window must span. `samples` are those of the view.
+    pub(super) fn spread(&self, index: usize, situation: &Situation<'_>, samples: &[DVec3]) -> Spread {
+        let window = &self.list[index];
+        let (times, focus_metres) = match request(window.draft) {
+            TileRequest::Coarser { times, focus_metres } => (window.coarser * times, focus_metres),
+            _ => (window.coarser, f64::INFINITY),
+        };
+
+        if situation.sighted.samples().is_some() {
+            let grown = |depth: f64| times * (depth / focus_metres).max(1.0);
+            let known = self.known(index, situation, samples);
+            let grams = known.iter().map(|sample| sample.gram.shortened(grown(-sample.point.z)));
+            return Spread::of(&grams.collect::<Vec<_>>(), window.may_turn());
+        }
+        let per_square = 1.0 / (times * times);
+        if focus_metres.is_infinite() {
+            return Spread::of_beams(&window.beams(situation), window.may_turn(), |square, _| {
+                square * per_square
+            });
+        }
+        let focus_square = focus_metres * focus_metres;
+        Spread::of_beams(&window.beams(situation), window.may_turn(), |square, unit| {
+            square * per_square * (focus_square * square * unit * unit).min(1.0)
+        })
     }
 }
 
@@ -127,22 +162,60 @@ impl Window<'_> {
     pub(super) fn may_turn(&self) -> bool {
         matches!(self.draft.region, Region::Tile(_)) && self.rows.remap.is_none()
     }
+
+    /// Rays through its receivers.
+    fn beams(&self, situation: &Situation<'_>) -> Beams {
+        self.beams.unwrap_or_else(|| beams(&self.rows, &self.outline, self.draft, situation))
+    }
+
+    /// Receivers of it.
+    pub(super) fn samples(&self, situation: &Situation<'_>) -> Samples {
+        let sample = |(point, gram)| Sample { point, gram };
+        let mut samples: Samples = self.beams(situation).middles().map(sample).collect();
+        if samples.len() < FEWEST_SAMPLES {
+            // Flat receivers have no rays in them: take points between their middle and their vertices.
+            let finite = self.draft.receivers.vertices.iter().filter(|vertex| vertex.w > 0.0);
+            let count = finite.clone().count().max(1) as f64;
+            let middle = finite.clone().map(|vertex| vertex.truncate() / vertex.w).sum::<DVec3>() / count;
+            samples.extend(finite.filter_map(|vertex| {
+                let point = middle.lerp(vertex.truncate() / vertex.w, INNER);
+                gram(&self.rows, situation, point).map(|gram| Sample { point, gram })
+            }));
+        }
+        samples
+    }
 }
 
-/// Visible points of a situation, camera space, by which drafts are judged: few where nothing depends on them but figures
-/// of single facets.
-pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Vec<DVec3> {
-    let count = match drafts {
-        [draft] if draft.facets.len() == 1 || !draft.facets.iter().any(is_sized) => ALONE,
-        _ => SAMPLES,
+/// Rays through what a facet holds of a view to its horizon.
+fn beams(rows: &FacetRows, outline: &[DVec2], draft: &FacetDraft, situation: &Situation<'_>) -> Beams {
+    let seen = |outline, receivers| Seen {
+        rows,
+        outline,
+        receivers,
+        light: situation.light,
+        pixels_per_tangent: situation.view.pixels_per_tangent(),
     };
-    let everywhere = || samples::receivers(situation.view, &situation.receivers, count);
-    situation.sighted.samples().map_or_else(everywhere, <[DVec3]>::to_vec)
+    let mut at_infinity = draft.receivers.vertices.iter().filter(|vertex| vertex.w == 0.0);
+    if at_infinity.all(|vertex| is_negligible(rows.w.dot(*vertex), rows.w, *vertex)) {
+        // It ends before, but for what lies along the light.
+        return Beams::of(&seen(outline, &draft.receivers));
+    }
+    let (nearest, _) = draft.receivers.range(DEPTH_ROW);
+    let horizon = SAMPLED_HORIZON_METRES.max(FARTHEST_PER_NEAREST * nearest);
+    let receivers = draft.receivers.cut_by(&[DVec4::W * horizon - DEPTH_ROW]);
+    let outline = polygon::small_outline(rows, &receivers.vertices);
+    Beams::of(&seen(&outline, &receivers))
 }
 
-/// Whether the facet's tile has a size that samples decide; a square is alone in the map.
-fn is_sized(facet: &FacetDraft) -> bool {
-    !matches!(facet.region, Region::Triangle { .. }) && is_balanced(request(facet))
+/// Visible points of a situation, camera space, by which drafts are judged.
+pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Vec<DVec3> {
+    if let Some(seen) = situation.sighted.samples() {
+        return seen.to_vec();
+    }
+    let count = if situation.sighted.is_known() { SIGHTED } else { samples::count(drafts.len()) };
+    let mut points = Vec::with_capacity(count as usize);
+    samples::visible(&situation.receivers, count, &mut points);
+    points
 }
 
 /// What the technique asked for.
@@ -154,64 +227,43 @@ pub(super) fn request(facet: &FacetDraft) -> TileRequest {
 
 /// Fits the window of every facet that has receivers.
 pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>, samples: &[DVec3]) -> Windows<'a> {
-    // Walk each sample to its facet.
-    let owners = draft.owners();
-    let facets = draft.facets.len();
-    let mut counts: SmallVec<[usize; 40]> = SmallVec::from_elem(0, facets + 1);
-    let mut owner_of: Vec<u32> = Vec::with_capacity(samples.len());
-    for point in samples {
-        let owner = owners.get(draft.selection.cell(point.extend(1.0)) as usize).copied().flatten();
-        let owner = owner.unwrap_or(facets);
-        counts[owner] += 1;
-        owner_of.push(owner as u32);
-    }
-    let mut outside = counts[facets];
-
-    // Sort them by facet.
-    let mut next: SmallVec<[usize; 40]> = SmallVec::new();
-    let mut start = 0;
-    for count in &counts {
-        next.push(start);
-        start += count;
-    }
-    let mut sorted = vec![DVec3::ZERO; samples.len()];
-    for (point, owner) in samples.iter().zip(&owner_of) {
-        let place = &mut next[*owner as usize];
-        sorted[*place] = *point;
-        *place += 1;
-    }
-
     // Fit the rows of each facet to its receivers.
-    let mut list = Vec::with_capacity(facets);
-    let mut all = Vec::with_capacity(samples.len() + facets * FEWEST_SAMPLES / 2);
-    for (index, facet) in draft.facets.iter().enumerate() {
-        let own = &sorted[next[index] - counts[index]..next[index]];
+    let mut list: Vec<Window<'a>> = Vec::with_capacity(draft.facets.len());
+    let mut window_of: SmallVec<[u32; 40]> = SmallVec::new();
+    let is_shared = draft.facets.len() > 1;
+    for facet in &draft.facets {
         let Some((rows, outline)) = rows(facet) else {
-            outside += own.len();
+            window_of.push(OUTSIDE);
             continue;
         };
-        let cuts = own_cuts(&facet.receivers, &situation.receivers);
-        let start = all.len();
-        let mut add = |point: DVec3| {
-            if let Some(gram) = gram(&rows, situation, point) {
-                all.push(Sample { point, gram });
-            }
-        };
-        for point in own {
-            let homogeneous = point.extend(1.0);
-            outside += usize::from(cuts.iter().any(|cut| cut.dot(homogeneous) < 0.0));
-            add(*point);
-        }
-        if own.len() < FEWEST_SAMPLES {
-            inner::points(facet, FEWEST_SAMPLES - own.len(), &mut add);
-        }
-        let seen = own.len().min(all.len() - start);
-        let samples = start..all.len();
-        list.push(Window { draft: facet, rows, outline, samples, seen, coarser: 1.0, weight: 1.0 });
+        let is_sized = is_shared && is_balanced(request(facet)) && matches!(facet.region, Region::Tile(_));
+        let beams = is_sized.then(|| beams(&rows, &outline, facet, situation));
+        window_of.push(list.len() as u32);
+        list.push(Window { draft: facet, rows, outline, beams, seen: 0, coarser: 1.0, weight: 1.0 });
     }
-    let mut windows = Windows { list, samples: all, outside };
+
+    // Walk each sample to its window; it need not lie in it where facets do not hold everything.
+    let owners = draft.owners();
+    let is_loose = !draft.complete || !is_shared || situation.sighted.is_cut();
+    let owner = |point: &DVec3| {
+        let homogeneous = point.extend(1.0);
+        let facet = owners.get(draft.selection.cell(homogeneous) as usize).copied().flatten();
+        let Some(window) = facet.and_then(|facet| window_of.get(facet)).filter(|window| **window != OUTSIDE)
+        else {
+            return OUTSIDE;
+        };
+        let window_fitted = &mut list[*window as usize];
+        window_fitted.seen += 1;
+        let cuts = own_cuts(&window_fitted.draft.receivers, &situation.receivers);
+        if is_loose && cuts.iter().any(|cut| cut.dot(homogeneous) < 0.0) {
+            return OUTSIDE;
+        }
+        *window
+    };
+    let owners = samples.iter().map(owner).collect();
+    let mut windows = Windows { list, owners };
     if let Some(counts) = situation.sighted.counts(draft) {
-        windows.share(draft, situation, &counts);
+        windows.share(draft, situation, samples, &counts);
     }
     windows
 }
@@ -269,7 +321,7 @@ fn fitted(row: DVec4, facet: &FacetDraft) -> Option<DVec4> {
 
 /// Products of the pixel vectors that span the whole clip space at a point: displacements across the light that change
 /// x/w alone and y/w alone, which are reciprocal to the gradients of both.
-fn gram(rows: &FacetRows, situation: &Situation<'_>, point: DVec3) -> Option<Gram> {
+pub(super) fn gram(rows: &FacetRows, situation: &Situation<'_>, point: DVec3) -> Option<Gram> {
     let homogeneous = point.extend(1.0);
     let per_w = 1.0 / rows.w.dot(homogeneous);
     let (x, y) = (rows.x.dot(homogeneous) * per_w, rows.y.dot(homogeneous) * per_w);

@@ -4,7 +4,7 @@ use glam::DVec3;
 use smallvec::SmallVec;
 
 use super::PlanError;
-use super::window::{self, Windows};
+use super::window::{self, Texels, Window, Windows};
 use crate::choose::Prediction;
 use crate::facet::Tile;
 use crate::layout::{self, MapArea, Spread, TileDemand};
@@ -114,16 +114,15 @@ fn tiles(
 
 /// The predicted footprint: over the view's samples, which count by the pixels that they stand for.
 fn predicted(windows: &Windows<'_>, tiles: &[Tile], situation: &Situation<'_>, samples: &[DVec3]) -> f64 {
-    let inner = |tile: &Tile| {
-        let side = |side: u32| f64::from(side.saturating_sub(2 * tile.gutter));
-        (side(tile.width), side(tile.height))
+    let texels = |(window, tile): (&Window<'_>, &Tile)| {
+        let inner = |side: u32| f64::from(side.saturating_sub(2 * tile.gutter));
+        Texels::of(window, inner(tile.width), inner(tile.height), situation)
     };
+    let texels: SmallVec<[Texels; 8]> = windows.list.iter().zip(tiles).map(texels).collect();
     let square = |(point, owner): (&DVec3, Option<usize>)| {
         let Some(owner) = owner else { return Some((f64::INFINITY, 1.0)) };
-        let window = &windows.list[owner];
-        let (width, height) = inner(&tiles[owner]);
-        let gram = window::gram(&window.rows, situation, *point)?;
-        Some((gram.major_square(width, height), window.weight))
+        let square = texels[owner].major_square(*point);
+        square.is_finite().then_some((square, windows.list[owner].weight))
     };
     let squares = windows.owned(samples).filter_map(square);
     if windows.list.iter().any(|window| window.weight != 1.0) {

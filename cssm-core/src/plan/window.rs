@@ -12,8 +12,8 @@ use crate::remap::{Curve, Remap};
 use crate::samples::{self, SAMPLED_HORIZON_METRES};
 use crate::technique::{Draft, FacetDraft, Region, Situation, TileRequest};
 
-/// Sample receivers of a view where its pixels are known.
-const SIGHTED: u32 = 1024;
+/// Sample receivers of a view where tiles are sized by them, or its pixels are known.
+const COUNTED: usize = 1024;
 /// Fewest known pixels of a facet that say what its texels span.
 const FEWEST_PIXELS: usize = 24;
 /// Fewest receivers of a facet that say what its depths are.
@@ -108,7 +108,7 @@ impl Windows<'_> {
         }
     }
 
-    /// Receivers of a window where it is known exactly what is seen: that and, as long as it holds enough, nothing else.
+    /// Samples of the view in a window; where they are few, others as well.
     fn known(&self, index: usize, situation: &Situation<'_>, samples: &[DVec3]) -> Vec<Sample> {
         let rows = &self.list[index].rows;
         let own = self.owned(samples).filter(|(_, owner)| *owner == Some(index));
@@ -122,7 +122,7 @@ impl Windows<'_> {
 
     /// How many texels a window's clip space wants at a footprint of one pixel, in the mean.
     fn mean_texels(&self, index: usize, situation: &Situation<'_>, samples: &[DVec3]) -> f64 {
-        if situation.sighted.samples().is_none() {
+        if !is_counted(situation) {
             return self.list[index].beams(situation).mean_texels();
         }
         let known = self.known(index, situation, samples);
@@ -138,7 +138,7 @@ impl Windows<'_> {
             _ => (window.coarser, f64::INFINITY),
         };
 
-        if situation.sighted.samples().is_some() {
+        if is_counted(situation) {
             let grown = |depth: f64| times * (depth / focus_metres).max(1.0);
             let known = self.known(index, situation, samples);
             let grams = known.iter().map(|sample| sample.gram.shortened(grown(-sample.point.z)));
@@ -212,10 +212,25 @@ pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Vec<DVec3>
     if let Some(seen) = situation.sighted.samples() {
         return seen.to_vec();
     }
-    let count = if situation.sighted.is_known() { SIGHTED } else { samples::count(drafts.len()) };
+    let is_sized = |draft: &Draft| draft.facets.len() > 1 && draft.facets.iter().any(is_sized);
+    if situation.sighted.is_known() || (is_counted(situation) && drafts.iter().any(is_sized)) {
+        return samples::receivers(situation.view, &situation.receivers, COUNTED);
+    }
+    let count = samples::count(drafts.len());
     let mut points = Vec::with_capacity(count as usize);
     samples::visible(&situation.receivers, count, &mut points);
     points
+}
+
+/// Whether tiles are sized by the view's own samples: where it is known exactly what is seen, and where no distribution spends
+/// rows over depth, so that rays through a facet may miss what is near.
+fn is_counted(situation: &Situation<'_>) -> bool {
+    situation.sighted.samples().is_some() || situation.case.technique_spec().distribution.is_none()
+}
+
+/// Whether the facet's tile has a size that its receivers decide; a square is alone in the map.
+fn is_sized(facet: &FacetDraft) -> bool {
+    matches!(facet.region, Region::Tile(_)) && is_balanced(request(facet))
 }
 
 /// What the technique asked for.
@@ -231,13 +246,13 @@ pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>, samples: &[DV
     let mut list: Vec<Window<'a>> = Vec::with_capacity(draft.facets.len());
     let mut window_of: SmallVec<[u32; 40]> = SmallVec::new();
     let is_shared = draft.facets.len() > 1;
+    let by_rays = is_shared && !is_counted(situation);
     for facet in &draft.facets {
         let Some((rows, outline)) = rows(facet) else {
             window_of.push(OUTSIDE);
             continue;
         };
-        let is_sized = is_shared && is_balanced(request(facet)) && matches!(facet.region, Region::Tile(_));
-        let beams = is_sized.then(|| beams(&rows, &outline, facet, situation));
+        let beams = (by_rays && is_sized(facet)).then(|| beams(&rows, &outline, facet, situation));
         window_of.push(list.len() as u32);
         list.push(Window { draft: facet, rows, outline, beams, seen: 0, coarser: 1.0, weight: 1.0 });
     }
@@ -245,20 +260,21 @@ pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>, samples: &[DV
     // Walk each sample to its window; it need not lie in it where facets do not hold everything.
     let owners = draft.owners();
     let is_loose = !draft.complete || !is_shared || situation.sighted.is_cut();
+    let cuts: SmallVec<[&[DVec4]; 40]> = list
+        .iter()
+        .map(
+            |window| {
+                if is_loose { own_cuts(&window.draft.receivers, &situation.receivers) } else { &[][..] }
+            },
+        )
+        .collect();
     let owner = |point: &DVec3| {
         let homogeneous = point.extend(1.0);
         let facet = owners.get(draft.selection.cell(homogeneous) as usize).copied().flatten();
-        let Some(window) = facet.and_then(|facet| window_of.get(facet)).filter(|window| **window != OUTSIDE)
-        else {
-            return OUTSIDE;
-        };
-        let window_fitted = &mut list[*window as usize];
-        window_fitted.seen += 1;
-        let cuts = own_cuts(&window_fitted.draft.receivers, &situation.receivers);
-        if is_loose && cuts.iter().any(|cut| cut.dot(homogeneous) < 0.0) {
-            return OUTSIDE;
-        }
-        *window
+        let window = facet.map_or(OUTSIDE, |facet| window_of[facet]);
+        let Some(cuts) = cuts.get(window as usize) else { return OUTSIDE };
+        list[window as usize].seen += 1;
+        if cuts.iter().any(|cut| cut.dot(homogeneous) < 0.0) { OUTSIDE } else { window }
     };
     let owners = samples.iter().map(owner).collect();
     let mut windows = Windows { list, owners };
@@ -317,6 +333,40 @@ fn fitted(row: DVec4, facet: &FacetDraft) -> Option<DVec4> {
     let extent = high - low;
     let usable = extent.is_finite() && extent > EMPTY_EXTENT * low.abs().max(high.abs());
     usable.then(|| (row * 2.0 - facet.w * (high + low)) / extent)
+}
+
+/// What single texels of a tile span.
+pub(super) struct Texels {
+    /// Rows of x/w in texels, y/w and w.
+    rows: [DVec4; 3],
+    remap: Remap,
+    /// Texels of the tile's inner part up.
+    height: f64,
+    /// Square of the pixels of a tangent of 1, in halves.
+    scale: f64,
+}
+
+impl Texels {
+    /// Texels of a window in a tile whose inner part has this size.
+    pub(super) fn of(window: &Window<'_>, width: f64, height: f64, situation: &Situation<'_>) -> Self {
+        let FacetRows { x, y, w, remap, .. } = window.rows;
+        let pixels = 2.0 * situation.view.pixels_per_tangent();
+        Self { rows: [x * width, y, w], remap, height, scale: pixels * pixels }
+    }
+
+    /// Square of the major axis of the texel at a point, in pixels: as [`gram`] has it, with one division.
+    pub(super) fn major_square(&self, point: DVec3) -> f64 {
+        let [x, y, w] = self.rows;
+        let homogeneous = point.extend(1.0);
+        let (across, up, unit) = (x.dot(homogeneous), y.dot(homogeneous), w.dot(homogeneous));
+        let slope = if self.remap.is_none() { 1.0 } else { self.remap.slope(up / unit) };
+        let one = x.truncate() * unit - w.truncate() * across;
+        let two = (y.truncate() * unit - w.truncate() * up) * (slope * self.height);
+        let (a, b, c) = (two.length_squared(), one.length_squared(), one.dot(two));
+        let square = unit * unit;
+        let shared = self.scale * square * square / (one.cross(two).length_squared() * point.z * point.z);
+        shared * (0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt())
+    }
 }
 
 /// Products of the pixel vectors that span the whole clip space at a point: displacements across the light that change

@@ -8,6 +8,7 @@ mod dominant;
 mod finish;
 mod fitted;
 mod held;
+mod inner;
 mod lit;
 mod make;
 mod region;

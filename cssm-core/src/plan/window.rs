@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3, DVec4};
 use smallvec::SmallVec;
 
 use super::beams::{BEAMS, Beams, Seen};
+use super::inner;
 use crate::facet::FacetRows;
 use crate::layout::{Gram, Spread, is_balanced};
 use crate::polygon::{self, Outline};
@@ -115,7 +116,8 @@ impl Windows<'_> {
         let sample = |point: &DVec3| gram(rows, situation, *point).map(|gram| Sample { point: *point, gram });
         let mut known: Vec<Sample> = own.filter_map(|(point, _)| sample(point)).collect();
         if known.len() < FEWEST_PIXELS {
-            known.extend(self.list[index].samples(situation));
+            let missing = FEWEST_PIXELS - known.len();
+            inner::points(self.list[index].draft, missing, &mut |point| known.extend(sample(&point)));
         }
         known
     }
@@ -222,10 +224,10 @@ pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Vec<DVec3>
     points
 }
 
-/// Whether tiles are sized by the view's own samples: where it is known exactly what is seen, and where no distribution spends
-/// rows over depth, so that rays through a facet may miss what is near.
+/// Whether tiles are sized by the view's own samples: where it is known exactly what is seen, and under techniques that may
+/// spend rows evenly over depth, which never fit infinity, so that rays through a facet may miss what is near.
 fn is_counted(situation: &Situation<'_>) -> bool {
-    situation.sighted.samples().is_some() || situation.case.technique_spec().distribution.is_none()
+    situation.sighted.samples().is_some() || !situation.case.technique_spec().fits_infinity
 }
 
 /// Whether the facet's tile has a size that its receivers decide; a square is alone in the map.

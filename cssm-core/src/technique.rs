@@ -17,6 +17,7 @@ mod warp;
 pub mod warp_family;
 
 use glam::{DVec2, DVec3, DVec4};
+use smallvec::{SmallVec, smallvec};
 
 use crate::case::{CaseError, LightCase, LightKind};
 use crate::facet::{Cell, FacetShape, Selection};
@@ -145,9 +146,9 @@ impl FacetDraft {
     }
 
     /// A facet of one cell whose rows are not bent.
-    pub fn straight(cell: Cell, rows: [DVec4; 3], own: (Vec<DVec4>, Polytope), region: Region) -> Self {
+    pub fn straight(cell: Cell, rows: [DVec4; 3], own: (Sides, Polytope), region: Region) -> Self {
         let ([x, y, w], (select, receivers)) = (rows, own);
-        Self { cells: vec![cell], x, y, curve: Curve::Straight, w, select, receivers, region }
+        Self { cells: smallvec![cell], x, y, curve: Curve::Straight, w, select, receivers, region }
     }
 }
 
@@ -306,11 +307,14 @@ impl Draft {
     }
 }
 
+/// Half-spaces, few.
+pub type Sides = SmallVec<[DVec4; 6]>;
+
 /// A facet before its window is fitted.
 #[derive(Debug, Clone)]
 pub struct FacetDraft {
     /// Cells of the selection whose receivers are its own; none: those near the dominant plane.
-    pub cells: Vec<Cell>,
+    pub cells: SmallVec<[Cell; 4]>,
     /// Across; annihilates the light.
     pub x: DVec4,
     /// Up the tile; annihilates the light. Where rows are bent, y/w is 1 / distance.
@@ -320,7 +324,7 @@ pub struct FacetDraft {
     /// Divisor, positive on receivers; annihilates the light.
     pub w: DVec4,
     /// Half-spaces of its own receivers.
-    pub select: Vec<DVec4>,
+    pub select: Sides,
     /// Its own receivers.
     pub receivers: Polytope,
     /// Where it lies in the map.

@@ -81,10 +81,10 @@ pub(super) fn finish(
     let rounding = FLOAT_ROUNDING + 1.5 * situation.case.map.format.rounding();
     let facet = Facet {
         cells,
-        select: window.draft.select.clone(),
+        select: window.draft.select.to_vec(),
         clip,
         casters: casters::planes(&rows, &tile, &receivers.planes, &outline, situation.light),
-        receivers: receivers.vertices.clone(),
+        receivers: receivers.vertices.to_vec(),
         rows,
         tile,
         depth_per_metre: 1.0,

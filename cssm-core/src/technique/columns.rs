@@ -2,13 +2,14 @@
 //! distribution.
 
 use glam::DVec4;
+use smallvec::smallvec;
 
 use crate::distribution::{self, DistanceRange, Piece};
 use crate::facet::Cell;
 use crate::fit;
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::remap::Curve;
-use crate::technique::{FacetDraft, Region, Situation, TileRequest};
+use crate::technique::{FacetDraft, Region, Sides, Situation, TileRequest};
 
 /// Slant up to which pieces ask for the footprint of the others.
 const STEEPEST_SLANT: f64 = 8.0;
@@ -31,7 +32,7 @@ pub(super) struct Column {
     /// How far lines of equal place across lean, at most: 1 is half a right angle.
     pub(super) slant: f64,
     /// Half-spaces that part it from its neighbours.
-    pub(super) sides: Vec<DVec4>,
+    pub(super) sides: Sides,
     /// Its receivers.
     pub(super) receivers: Polytope,
 }
@@ -48,7 +49,7 @@ pub(super) fn facets(column: &Column, situation: &Situation<'_>) -> (Vec<FacetDr
 /// The facets of a column, one for each piece.
 pub(super) fn split(column: &Column, pieces: &[Piece]) -> Vec<FacetDraft> {
     let facet = |(band, piece): (usize, &Piece)| {
-        let mut ends = Vec::new();
+        let mut ends = Sides::new();
         if band > 0 {
             ends.push(column.distance - column.unit * piece.nearest_metres);
         }
@@ -65,7 +66,7 @@ pub(super) fn split(column: &Column, pieces: &[Piece]) -> Vec<FacetDraft> {
             (false, _) => (column.unit, column.distance + column.unit * piece.push_back_metres),
         };
         FacetDraft {
-            cells: vec![Cell { half: column.half, sector: column.sector, band: band as u32 }],
+            cells: smallvec![Cell { half: column.half, sector: column.sector, band: band as u32 }],
             x: column.across,
             y,
             curve: if uniform { Curve::Straight } else { piece.curve },

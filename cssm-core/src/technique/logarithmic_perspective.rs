@@ -65,7 +65,7 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
         distance: plane.along - plane.unit * centre,
         slant: 0.0,
         unit: plane.unit,
-        sides: Vec::new(),
+        sides: super::Sides::new(),
         receivers: receivers.clone(),
     };
     let bands = distribution::pieces(situation.case);

@@ -27,7 +27,7 @@ use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Word};
 use crate::technique::columns::{self, Column};
 use crate::technique::side_faces::{self, Course, SideFace};
-use crate::technique::{ConfigurationSpec, Draft, Situation};
+use crate::technique::{ConfigurationSpec, Draft, Sides, Situation};
 
 /// A frustum has four side faces.
 const SECTORS: u32 = 4;
@@ -87,7 +87,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
                 }
                 continue;
             };
-            let sides: Vec<DVec4> = face.sides().into_iter().chain(half_space).collect();
+            let sides: Sides = face.sides().into_iter().chain(half_space).collect();
             let unrolled = if light.w == 0.0 { Unrolled::of(face) } else { Unrolled::plain(face) };
             let column = Column {
                 half: half as u32,

@@ -23,7 +23,7 @@ use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::schema::{Choice, Default, Field, Kind, Word};
 use crate::technique::columns;
 use crate::technique::side_faces::{self, Course, SideFace};
-use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TileRequest};
+use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Sides, Situation, TileRequest};
 
 /// A square has four triangles.
 const SECTORS: u32 = 4;
@@ -178,7 +178,7 @@ impl Triangle<'_> {
         let y = at_tip * self.tip.y + s * one.y + t * two.y;
         let region =
             Region::Triangle { square: 0, request: TileRequest::Footprint, corners: [self.tip, one, two] };
-        let own = (sides.to_vec(), receivers.cut_by(&sides));
+        let own = (Sides::from_slice(&sides), receivers.cut_by(&sides));
         FacetDraft::straight(Cell::of(sector, 0), [x, y, at_tip + s + t], own, region)
     }
 }

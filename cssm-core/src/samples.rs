@@ -41,10 +41,18 @@ pub fn receivers(view: &View, receivers: &Polytope, count: usize) -> Vec<DVec3> 
 const COMPARED: u32 = 256;
 /// Sample receivers of a view where there is one draft.
 const ALONE: u32 = 128;
+/// The same where it has few facets, over which footprints go with depth, in which samples are even.
+const FEW: u32 = 64;
+/// Most facets that are few.
+const FEW_FACETS: usize = 4;
 
-/// Sample receivers by which so many drafts are judged.
-pub(crate) const fn count(drafts: usize) -> u32 {
-    if drafts > 1 { COMPARED } else { ALONE }
+/// Sample receivers by which so many drafts are judged, the first of which has so many facets.
+pub(crate) const fn count(drafts: usize, facets: usize) -> u32 {
+    match (drafts, facets) {
+        (0 | 1, 0..=FEW_FACETS) => FEW,
+        (0 | 1, _) => ALONE,
+        _ => COMPARED,
+    }
 }
 
 /// Visible points of the receivers in camera space, from near to far, out of `count` that are tried: even over the part

@@ -7,6 +7,10 @@ use crate::plan::PlanError;
 use crate::technique::TileRequest;
 
 pub(super) fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Tile>, PlanError> {
+    if let ([_], true) = (demands, area.width.min(area.height) >= area.smallest_side()) {
+        let MapArea { width, height, gutter, .. } = *area;
+        return Ok(vec![Tile { x: 0, y: 0, width, height, gutter }]);
+    }
     let total = f64::from(area.width) * f64::from(area.height);
     let areas: Vec<f64> =
         demands.iter().map(|demand| asked(&demand.request, demands.len()) * total).collect();

@@ -103,7 +103,8 @@ impl ShadowPlan {
         let world_from_camera = view.camera_from_world.transpose();
         let way = view.eye_world - self.eye_world;
         let mut points = Vec::new();
-        samples::visible(&receivers, samples::count(self.choice.predictions.len()), &mut points);
+        let count = samples::count(self.choice.predictions.len(), self.facets.len());
+        samples::visible(&receivers, count, &mut points);
         let mut footprints: Vec<f64> = points
             .into_iter()
             .map(|point| {

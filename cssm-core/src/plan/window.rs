@@ -1,5 +1,7 @@
 //! Windows: each facet's rows fitted to its own receivers, and what a texel would span there.
 
+use std::borrow::Cow;
+
 use glam::{DVec2, DVec3, DVec4};
 use smallvec::SmallVec;
 
@@ -166,8 +168,9 @@ impl Window<'_> {
     }
 
     /// Rays through its receivers.
-    fn beams(&self, situation: &Situation<'_>) -> Beams {
-        self.beams.unwrap_or_else(|| beams(&self.rows, &self.outline, self.draft, situation))
+    fn beams(&self, situation: &Situation<'_>) -> Cow<'_, Beams> {
+        let made = || Cow::Owned(beams(&self.rows, &self.outline, self.draft, situation));
+        self.beams.as_ref().map_or_else(made, Cow::Borrowed)
     }
 
     /// Receivers of it.
@@ -218,7 +221,7 @@ pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Vec<DVec3>
     if situation.sighted.is_known() || (is_counted(situation) && drafts.iter().any(is_sized)) {
         return samples::receivers(situation.view, &situation.receivers, COUNTED);
     }
-    let count = samples::count(drafts.len());
+    let count = samples::count(drafts.len(), drafts.first().map_or(0, |draft| draft.facets.len()));
     let mut points = Vec::with_capacity(count as usize);
     samples::visible(&situation.receivers, count, &mut points);
     points
@@ -270,9 +273,11 @@ pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>, samples: &[DV
             },
         )
         .collect();
+    let has_one_cell = owners.len() == 2 && draft.selection.dominant.is_none();
     let owner = |point: &DVec3| {
         let homogeneous = point.extend(1.0);
-        let facet = owners.get(draft.selection.cell(homogeneous) as usize).copied().flatten();
+        let cell = if has_one_cell { 0 } else { draft.selection.cell(homogeneous) };
+        let facet = owners.get(cell as usize).copied().flatten();
         let window = facet.map_or(OUTSIDE, |facet| window_of[facet]);
         let Some(cuts) = cuts.get(window as usize) else { return OUTSIDE };
         list[window as usize].seen += 1;
@@ -301,9 +306,13 @@ fn rows(facet: &FacetDraft) -> Option<(FacetRows, Outline)> {
     }
     let whole = whole(facet)?;
     let outline = polygon::small_outline(&whole, &facet.receivers.vertices);
-    let bent = outline.iter().map(|corner| DVec2::new(corner.x, whole.remap.y(corner.y)));
-    let bent: Outline = if whole.remap.is_none() { outline.clone() } else { bent.collect() };
-    if polygon::area(&bent).abs() <= EMPTY_AREA {
+    let area = if whole.remap.is_none() {
+        polygon::area(&outline)
+    } else {
+        let bent = outline.iter().map(|corner| DVec2::new(corner.x, whole.remap.y(corner.y)));
+        polygon::area(&bent.collect::<Outline>())
+    };
+    if area.abs() <= EMPTY_AREA {
         return None;
     }
     Some(match facet.region {

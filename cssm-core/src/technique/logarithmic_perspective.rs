@@ -69,7 +69,8 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
         receivers: receivers.clone(),
     };
     let bands = distribution::pieces(situation.case);
-    let (facets, limits) = columns::facets(&column, situation);
+    let mut facets = Vec::new();
+    let limits = columns::facets(&column, situation, &mut facets);
     let mut selection = Selection::around(1, bands);
     if bands > 1 {
         selection.distances.push(column.distance);

@@ -70,7 +70,8 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let corners = situation.view.corner_tangents().map(|(x, y)| DVec3::new(x, y, -1.0));
     let bands = distribution::pieces(situation.case);
     let mut selection = Selection { split, ..Selection::around(SECTORS, bands) };
-    let (mut facets, mut complete) = (Vec::new(), true);
+    let most = halves.len() * SECTORS as usize * bands as usize;
+    let (mut facets, mut complete) = (Vec::with_capacity(most), true);
     for (half, (course, side)) in halves.iter().enumerate() {
         let faces = side_faces::entered_first(DVec3::ZERO, corners, light, *course);
         let half_space = split.map(|split| split * *side);
@@ -99,8 +100,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
                 receivers: situation.receivers.cut_by(&sides),
                 sides,
             };
-            let (drafts, limits) = columns::facets(&column, situation);
-            facets.extend(drafts);
+            let limits = columns::facets(&column, situation, &mut facets);
 
             // The outer borders of a run that does not close are the frustum's own silhouette: nothing is past them.
             let closed = faces.len() == SECTORS as usize;

@@ -187,12 +187,14 @@ impl Triangle<'_> {
 fn on_one_plane(situation: &Situation<'_>, focus: f64) -> Draft {
     let column = one_plane::column(situation);
     let piece = distribution::perspective_piece(focus, EVEN_SHARE, &columns::range(&column, situation));
+    let mut facets = Vec::new();
+    columns::split(&column, &[piece], &mut facets);
     Draft {
         configuration: SPEC.choice.name,
         form: "on one plane",
         complete: one_plane::is_complete(&column, situation),
         fallback: None,
         selection: Selection::single(),
-        facets: columns::split(&column, &[piece]),
+        facets,
     }
 }

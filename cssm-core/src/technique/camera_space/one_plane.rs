@@ -43,7 +43,8 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let column = column(situation);
     let complete = is_complete(&column, situation);
     let bands = distribution::pieces(situation.case);
-    let (facets, limits) = columns::facets(&column, situation);
+    let mut facets = Vec::new();
+    let limits = columns::facets(&column, situation, &mut facets);
     let mut selection = Selection::around(1, bands);
     if bands > 1 {
         selection.distances.push(column.distance);

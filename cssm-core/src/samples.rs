@@ -1,6 +1,7 @@
 //! Sample receivers: visible points spread over the screen and, evenly in their logarithm, over depth.
 
 use glam::{DVec2, DVec3, DVec4};
+use smallvec::SmallVec;
 
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::view::View;
@@ -37,6 +38,9 @@ pub fn receivers(view: &View, receivers: &Polytope, count: usize) -> Vec<DVec3> 
     points
 }
 
+/// Sample receivers; so many need no allocation.
+pub(crate) type Points = SmallVec<[DVec3; COMPARED as usize]>;
+
 /// Sample receivers of a view by which drafts are compared.
 const COMPARED: u32 = 256;
 /// Sample receivers of a view where there is one draft.
@@ -57,7 +61,7 @@ pub(crate) const fn count(drafts: usize, facets: usize) -> u32 {
 
 /// Visible points of the receivers in camera space, from near to far, out of `count` that are tried: even over the part
 /// of the screen that holds receivers, even in the logarithm of depth.
-pub(crate) fn visible(receivers: &Polytope, count: u32, points: &mut Vec<DVec3>) {
+pub(crate) fn visible(receivers: &Polytope, count: u32, points: &mut Points) {
     // Powers of 1/g with g^3 = g + 1: the plane's sequence of lowest known discrepancy of its kind.
     const STEP: DVec2 = DVec2::new(0.754_877_666_246_692_7, 0.569_840_290_998_053_2);
     let (nearest, farthest) = receivers.range(DEPTH_ROW);

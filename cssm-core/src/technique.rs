@@ -291,9 +291,9 @@ impl Draft {
     }
 
     /// The facet of each cell of the walk.
-    pub(crate) fn owners(&self) -> Vec<Option<usize>> {
+    pub(crate) fn owners(&self) -> SmallVec<[Option<usize>; 40]> {
         let Selection { sectors, bands, .. } = self.selection;
-        let mut owners = vec![None; self.selection.dominant_cell() as usize + 1];
+        let mut owners = SmallVec::from_elem(None, self.selection.dominant_cell() as usize + 1);
         for (index, facet) in self.facets.iter().enumerate() {
             if facet.is_dominant() {
                 owners[self.selection.dominant_cell() as usize] = Some(index);

@@ -6,7 +6,7 @@
 //! answer: a minimum of continuous functions of view and light, and so continuous itself.
 
 use super::spread::{self, Curve, WIDTHS};
-use super::strips::{self, Strip};
+use super::strips::{self, Few, Strip};
 use super::{MapArea, Placement, TileDemand};
 use crate::plan::PlanError;
 
@@ -22,7 +22,7 @@ pub(super) fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Placem
     let mut search = Search::new(&fold);
     let placed = search.smallest(&fold).and_then(|footprint| {
         let runs = &search.best;
-        let strips: Vec<Strip> = runs.iter().map(|run| fold.strip(run, footprint)).collect();
+        let strips: Few<Strip> = runs.iter().map(|run| fold.strip(run, footprint)).collect();
         let tiles = strips::tiles(&strips, demands.len(), area, true)?;
         let turned = runs.iter().flat_map(|run| fold.turned(run));
         Some(tiles.into_iter().zip(turned).map(|(tile, turned)| Placement { tile, turned }).collect())

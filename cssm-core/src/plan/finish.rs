@@ -48,6 +48,7 @@ pub(super) struct Finished {
 /// Everything of a window's facet but the choice of its depth.
 pub(super) fn finish(
     window: &Window<'_>,
+    samples: &[Sample],
     tile: Tile,
     cells: Vec<u32>,
     depth: Depth<'_>,
@@ -59,7 +60,6 @@ pub(super) fn finish(
         inset.ok_or_else(|| map_area(situation).too_small(1))?;
 
     // Measure texels across the light, per w.
-    let samples = &window.samples(situation)[..];
     let texels = TexelsPerW::measure(&rows, inner_texels, samples, situation.view);
     let extension = PLANE_EXTENSION_TEXELS.max(situation.case.filter.radius_texels() + 1);
     let margin =

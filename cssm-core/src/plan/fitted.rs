@@ -118,7 +118,7 @@ fn predicted(windows: &Windows<'_>, tiles: &[Tile], situation: &Situation<'_>, s
         let inner = |side: u32| f64::from(side.saturating_sub(2 * tile.gutter));
         Texels::of(window, inner(tile.width), inner(tile.height), situation)
     };
-    let texels: SmallVec<[Texels; 8]> = windows.list.iter().zip(tiles).map(texels).collect();
+    let texels: SmallVec<[Texels; 32]> = windows.list.iter().zip(tiles).map(texels).collect();
     let square = |(point, owner): (&DVec3, Option<usize>)| {
         let Some(owner) = owner else { return Some((f64::INFINITY, 1.0)) };
         let square = texels[owner].major_square(*point);
@@ -128,7 +128,7 @@ fn predicted(windows: &Windows<'_>, tiles: &[Tile], situation: &Situation<'_>, s
     if windows.list.iter().any(|window| window.weight != 1.0) {
         return weighted_rank(&mut squares.collect::<Vec<_>>()).sqrt();
     }
-    let mut squares: Vec<f64> = squares.map(|(square, _)| square).collect();
+    let mut squares: SmallVec<[f64; 256]> = squares.map(|(square, _)| square).collect();
     let rank = (PREDICTED * squares.len() as f64) as usize;
     if rank >= squares.len() {
         return 0.0;

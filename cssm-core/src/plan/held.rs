@@ -1,6 +1,7 @@
 //! A plan held over frames: brought to another eye, asked whether it still covers what is seen, and judged anew.
 
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
 use super::fitted::PREDICTED;
 use super::make::shear;
@@ -10,7 +11,7 @@ use crate::facet::{Facet, Tile};
 use crate::homography::{Gradients, singular_values};
 use crate::light::Light;
 use crate::receivers::Polytope;
-use crate::samples;
+use crate::samples::{self, Points};
 use crate::view::View;
 
 /// What a plan was made from, as far as later frames need it.
@@ -102,10 +103,10 @@ impl ShadowPlan {
         let Some(receivers) = self.covered_part(view) else { return 0.0 };
         let world_from_camera = view.camera_from_world.transpose();
         let way = view.eye_world - self.eye_world;
-        let mut points = Vec::new();
+        let mut points = Points::new();
         let count = samples::count(self.choice.predictions.len(), self.facets.len());
         samples::visible(&receivers, count, &mut points);
-        let mut footprints: Vec<f64> = points
+        let mut footprints: SmallVec<[f64; 256]> = points
             .into_iter()
             .map(|point| {
                 let from_eye = world_from_camera * point + way;

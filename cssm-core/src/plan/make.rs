@@ -121,13 +121,20 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     let shape = case.shape();
     let depth = finish::Depth { orders: orders(case, light_camera), shear };
     let mut finished = Vec::with_capacity(windows.list.len());
-    for (window, tile) in windows.list.iter().zip(&tiles) {
+    for (index, (window, tile)) in windows.list.iter().zip(&tiles).enumerate() {
         let cells = if window.draft.is_dominant() {
             vec![shape.cells() - 1]
         } else {
             window.draft.cells.iter().map(|cell| cell.index(shape.sectors, shape.bands)).collect()
         };
-        finished.push(finish::finish(window, *tile, cells, depth, &situation)?);
+        finished.push(finish::finish(
+            window,
+            &windows.judged(index, &situation, &samples),
+            *tile,
+            cells,
+            depth,
+            &situation,
+        )?);
     }
     let moved = |order: usize| finished.iter().map(|facet| facet.moved(order)).sum::<Option<f64>>();
     let sums = (0..depth.orders.len()).filter_map(|order| Some((order, moved(order)?)));

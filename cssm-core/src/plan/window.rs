@@ -5,20 +5,24 @@ use std::borrow::Cow;
 use glam::{DVec2, DVec3, DVec4};
 use smallvec::SmallVec;
 
-use super::beams::{BEAMS, Beams, Seen};
+use super::beams::{Beams, Seen};
 use super::inner;
 use crate::facet::FacetRows;
 use crate::layout::{Gram, Spread, is_balanced};
 use crate::polygon::{self, Outline};
 use crate::receivers::{DEPTH_ROW, Polytope, is_negligible};
 use crate::remap::{Curve, Remap};
-use crate::samples::{self, SAMPLED_HORIZON_METRES};
+use crate::samples::{self, Points, SAMPLED_HORIZON_METRES};
 use crate::technique::{Draft, FacetDraft, Region, Situation, TileRequest};
 
 /// Sample receivers of a view where tiles are sized by them, or its pixels are known.
 const COUNTED: usize = 1024;
 /// Fewest known pixels of a facet that say what its texels span.
 const FEWEST_PIXELS: usize = 24;
+/// Samples of the view by which a facet's depth is judged.
+const MOST_JUDGED: usize = 32;
+/// Fewest samples of the view that are enough for it.
+const FEWEST_JUDGED: usize = 12;
 /// Fewest receivers of a facet that say what its depths are.
 const FEWEST_SAMPLES: usize = 4;
 /// Part of the way from the middle of flat receivers to a vertex.
@@ -39,8 +43,8 @@ pub(super) struct Sample {
     pub(super) gram: Gram,
 }
 
-/// Receivers of a facet, one on each ray that meets them.
-pub(super) type Samples = SmallVec<[Sample; BEAMS]>;
+/// Some receivers of a facet.
+pub(super) type Samples = SmallVec<[Sample; MOST_JUDGED]>;
 
 /// A facet whose receivers fill its clip space from -1 to 1 across and up; its depth row is not found yet.
 #[derive(Debug)]
@@ -65,7 +69,7 @@ pub(super) struct Window<'a> {
 pub(super) struct Windows<'a> {
     pub(super) list: Vec<Window<'a>>,
     /// Window of each sample of the view; [`OUTSIDE`] where it has none.
-    owners: Vec<u32>,
+    owners: SmallVec<[u32; 256]>,
 }
 
 /// Stands for the window of samples that have none.
@@ -109,6 +113,24 @@ impl Windows<'_> {
             let weight = points as f64 / window.seen.max(1) as f64 / even.max(f64::MIN_POSITIVE);
             window.weight = (1.0 - trust) + trust * weight;
         }
+    }
+
+    /// Receivers of a window by which its depth is judged: those that sized it, or else samples of the view, which are many
+    /// where receivers are near.
+    pub(super) fn judged(&self, index: usize, situation: &Situation<'_>, samples: &[DVec3]) -> Samples {
+        let window = &self.list[index];
+        if window.beams.is_some() {
+            return window.samples(situation);
+        }
+        let own = self.owned(samples).filter(|(_, owner)| *owner == Some(index));
+        let own = own.step_by(window.seen.div_ceil(MOST_JUDGED).max(1));
+        let sample =
+            |point: &DVec3| gram(&window.rows, situation, *point).map(|gram| Sample { point: *point, gram });
+        let mut judged: Samples = own.filter_map(|(point, _)| sample(point)).collect();
+        if judged.len() < FEWEST_JUDGED {
+            judged.extend(window.samples(situation));
+        }
+        judged
     }
 
     /// Samples of the view in a window; where they are few, others as well.
@@ -174,7 +196,7 @@ impl Window<'_> {
     }
 
     /// Receivers of it.
-    pub(super) fn samples(&self, situation: &Situation<'_>) -> Samples {
+    fn samples(&self, situation: &Situation<'_>) -> Samples {
         let sample = |(point, gram)| Sample { point, gram };
         let mut samples: Samples = self.beams(situation).middles().map(sample).collect();
         if samples.len() < FEWEST_SAMPLES {
@@ -213,16 +235,16 @@ fn beams(rows: &FacetRows, outline: &[DVec2], draft: &FacetDraft, situation: &Si
 }
 
 /// Visible points of a situation, camera space, by which drafts are judged.
-pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Vec<DVec3> {
+pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Points {
     if let Some(seen) = situation.sighted.samples() {
-        return seen.to_vec();
+        return Points::from_slice(seen);
     }
     let is_sized = |draft: &Draft| draft.facets.len() > 1 && draft.facets.iter().any(is_sized);
     if situation.sighted.is_known() || (is_counted(situation) && drafts.iter().any(is_sized)) {
-        return samples::receivers(situation.view, &situation.receivers, COUNTED);
+        return Points::from_vec(samples::receivers(situation.view, &situation.receivers, COUNTED));
     }
     let count = samples::count(drafts.len(), drafts.first().map_or(0, |draft| draft.facets.len()));
-    let mut points = Vec::with_capacity(count as usize);
+    let mut points = Points::new();
     samples::visible(&situation.receivers, count, &mut points);
     points
 }

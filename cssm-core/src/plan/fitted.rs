@@ -84,11 +84,12 @@ fn tiles(
         }
     }
 
-    // One demand for each tile; where footprints are not balanced, or a tile is alone and lies as it must, nobody asks what
-    // it spans.
+    // One demand for each tile; where footprints are not balanced, or a tile is alone and lies as it must or as well as
+    // turned, nobody asks what it spans.
     let first = |sharers: &SmallVec<[usize; 4]>| &windows.list[sharers[0]];
     let balanced = shared.iter().all(|sharers| layout::is_balanced(window::request(first(sharers).draft)));
-    let asked = balanced && (shared.len() > 1 || shared.iter().any(|sharers| first(sharers).may_turn()));
+    let turns = area.width != area.height && shared.iter().any(|sharers| first(sharers).may_turn());
+    let asked = balanced && (shared.len() > 1 || turns);
     let demand = |sharers: &SmallVec<[usize; 4]>| {
         let spreads = sharers.iter().filter(|_| asked);
         let spreads = spreads.map(|index| windows.spread(*index, situation, samples));

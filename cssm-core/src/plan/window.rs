@@ -19,6 +19,8 @@ use crate::technique::{Draft, FacetDraft, Region, Situation, TileRequest};
 const COUNTED: usize = 1024;
 /// Fewest known pixels of a facet that say what its texels span.
 const FEWEST_PIXELS: usize = 24;
+/// Fewest bands of a column of which none reaches far in depth.
+const FEWEST_BANDS: u32 = 4;
 /// Samples of the view by which a facet's depth is judged.
 const MOST_JUDGED: usize = 32;
 /// Fewest samples of the view that are enough for it.
@@ -70,6 +72,8 @@ pub(super) struct Windows<'a> {
     pub(super) list: Vec<Window<'a>>,
     /// Window of each sample of the view; [`OUTSIDE`] where it has none.
     owners: SmallVec<[u32; 256]>,
+    /// Whether tiles are sized by samples of the view.
+    is_counted: bool,
 }
 
 /// Stands for the window of samples that have none.
@@ -148,7 +152,7 @@ impl Windows<'_> {
 
     /// How many texels a window's clip space wants at a footprint of one pixel, in the mean.
     fn mean_texels(&self, index: usize, situation: &Situation<'_>, samples: &[DVec3]) -> f64 {
-        if !is_counted(situation) {
+        if !self.is_counted {
             return self.list[index].beams(situation).mean_texels();
         }
         let known = self.known(index, situation, samples);
@@ -164,7 +168,7 @@ impl Windows<'_> {
             _ => (window.coarser, f64::INFINITY),
         };
 
-        if is_counted(situation) {
+        if self.is_counted {
             let grown = |depth: f64| times * (depth / focus_metres).max(1.0);
             let known = self.known(index, situation, samples);
             let grams = known.iter().map(|sample| sample.gram.shortened(grown(-sample.point.z)));
@@ -240,7 +244,8 @@ pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Points {
         return Points::from_slice(seen);
     }
     let is_sized = |draft: &Draft| draft.facets.len() > 1 && draft.facets.iter().any(is_sized);
-    if situation.sighted.is_known() || (is_counted(situation) && drafts.iter().any(is_sized)) {
+    let is_counted = |draft: &Draft| is_counted(draft, situation) && is_sized(draft);
+    if situation.sighted.is_known() || drafts.iter().any(is_counted) {
         return Points::from_vec(samples::receivers(situation.view, &situation.receivers, COUNTED));
     }
     let count = samples::count(drafts.len(), drafts.first().map_or(0, |draft| draft.facets.len()));
@@ -249,10 +254,13 @@ pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Points {
     points
 }
 
-/// Whether tiles are sized by the view's own samples: where it is known exactly what is seen, and under techniques that may
-/// spend rows evenly over depth, which never fit infinity, so that rays through a facet may miss what is near.
-fn is_counted(situation: &Situation<'_>) -> bool {
-    situation.sighted.samples().is_some() || !situation.case.technique_spec().fits_infinity
+/// Whether a draft's tiles are sized by the view's own samples: where it is known exactly what is seen, and where facets reach
+/// so far in depth that rays through them may miss what is near, or may be even over depth, as those of techniques that
+/// never fit infinity.
+fn is_counted(draft: &Draft, situation: &Situation<'_>) -> bool {
+    situation.sighted.samples().is_some()
+        || !situation.case.technique_spec().fits_infinity
+        || draft.selection.bands < FEWEST_BANDS
 }
 
 /// Whether the facet's tile has a size that its receivers decide; a square is alone in the map.
@@ -273,7 +281,8 @@ pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>, samples: &[DV
     let mut list: Vec<Window<'a>> = Vec::with_capacity(draft.facets.len());
     let mut window_of: SmallVec<[u32; 40]> = SmallVec::new();
     let is_shared = draft.facets.len() > 1;
-    let by_rays = is_shared && !is_counted(situation);
+    let is_counted = is_counted(draft, situation);
+    let by_rays = is_shared && !is_counted;
     for facet in &draft.facets {
         let Some((rows, outline)) = rows(facet) else {
             window_of.push(OUTSIDE);
@@ -306,7 +315,7 @@ pub(super) fn fit<'a>(draft: &'a Draft, situation: &Situation<'_>, samples: &[DV
         if cuts.iter().any(|cut| cut.dot(homogeneous) < 0.0) { OUTSIDE } else { window }
     };
     let owners = samples.iter().map(owner).collect();
-    let mut windows = Windows { list, owners };
+    let mut windows = Windows { list, owners, is_counted };
     if let Some(counts) = situation.sighted.counts(draft) {
         windows.share(draft, situation, samples, &counts);
     }

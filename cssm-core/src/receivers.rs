@@ -14,9 +14,9 @@ use crate::view::View;
 pub(crate) const DEPTH_ROW: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
 
 /// Vertices that need no allocation.
-const FEW: usize = 16;
+const FEW: usize = 32;
 /// Planes that need no allocation.
-const FEW_PLANES: usize = 24;
+const FEW_PLANES: usize = 32;
 
 /// A convex polytope.
 #[derive(Debug, PartialEq)]

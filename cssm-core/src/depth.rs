@@ -107,6 +107,10 @@ pub(crate) fn depth_rows(
 }
 
 /// A polytope cut by a plane, if that leaves anything; not copied where there is nothing to cut off.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a polytope in place asks for no memory, and parts are never stored"
+)]
 enum Part<'a> {
     /// The whole polytope lies on the plane's right side.
     Whole(&'a Polytope, DVec4),

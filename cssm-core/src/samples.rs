@@ -47,6 +47,8 @@ const COMPARED: u32 = 256;
 const ALONE: u32 = 128;
 /// The same where it has few facets, over which footprints go with depth, in which samples are even.
 const FEW: u32 = 64;
+/// Sample receivers of a view where tiles are sized by them, or its pixels are known.
+pub(crate) const COUNTED: u32 = 1024;
 /// Most facets that are few.
 const FEW_FACETS: usize = 4;
 
@@ -59,9 +61,19 @@ pub(crate) const fn count(drafts: usize, facets: usize) -> u32 {
     }
 }
 
+/// So many sample receivers of a view.
+pub(crate) fn sample(view: &View, within: &Polytope, count: u32, points: &mut Points) {
+    if count > COMPARED {
+        points.clear();
+        points.extend(receivers(view, within, count as usize));
+    } else {
+        visible(within, count, points);
+    }
+}
+
 /// Visible points of the receivers in camera space, from near to far, out of `count` that are tried: even over the part
 /// of the screen that holds receivers, even in the logarithm of depth.
-pub(crate) fn visible(receivers: &Polytope, count: u32, points: &mut Points) {
+fn visible(receivers: &Polytope, count: u32, points: &mut Points) {
     // Powers of 1/g with g^3 = g + 1: the plane's sequence of lowest known discrepancy of its kind.
     const STEP: DVec2 = DVec2::new(0.754_877_666_246_692_7, 0.569_840_290_998_053_2);
     let (nearest, farthest) = receivers.range(DEPTH_ROW);

@@ -26,6 +26,8 @@ pub struct PlanBasis {
     pub receivers: Vec<DVec4>,
     /// Half-spaces that hold everything within a local light's range and cone; none for a directional light.
     pub lit: Vec<DVec4>,
+    /// Sample receivers by which the plan was judged.
+    pub samples: u32,
     /// Predicted 95th percentile of the texel footprint over sample receivers of the view that the plan was made for,
     /// screen pixels.
     pub p95_pixels: f64,
@@ -104,8 +106,7 @@ impl ShadowPlan {
         let world_from_camera = view.camera_from_world.transpose();
         let way = view.eye_world - self.eye_world;
         let mut points = Points::new();
-        let count = samples::count(self.choice.predictions.len(), self.facets.len());
-        samples::visible(&receivers, count, &mut points);
+        samples::sample(view, &receivers, self.basis.samples, &mut points);
         let mut footprints: SmallVec<[f64; 256]> = points
             .into_iter()
             .map(|point| {

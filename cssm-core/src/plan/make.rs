@@ -47,7 +47,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     };
     let plan = |made: Made| {
         let row_to_world = |row: DVec4| (view.camera_from_world.transpose() * row.truncate()).extend(row.w);
-        let Made { choice, depth_order, facets, selection, covered, p95_pixels } = made;
+        let Made { choice, depth_order, facets, selection, covered, samples, p95_pixels } = made;
         let mut facets: Vec<Facet> = facets.into_iter().map(|facet| facet.turned(&row_to_world)).collect();
         for tile in facets.iter_mut().map(|facet| &mut facet.tile) {
             (tile.x, tile.y) = (tile.x + region.x, tile.y + region.y);
@@ -69,6 +69,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
                 follows_camera: spec.follows_camera,
                 lit: situation.receivers.planes[lit.clone()].iter().copied().map(row_to_world).collect(),
                 receivers: covered.into_iter().map(row_to_world).collect(),
+                samples,
                 p95_pixels,
             },
             selection: walk(selection, case, &row_to_world),
@@ -94,6 +95,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
             facets: Vec::new(),
             selection: Selection::single(),
             covered: vec![-DVec4::W],
+            samples: 0,
             p95_pixels: 0.0,
         }));
     }
@@ -104,7 +106,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     let drafted = any(case.configurations.iter().map(draft))?.into_iter().flatten();
     let whole = |draft: Draft| fit::narrowed(draft.with_dominant(dominant.as_ref()), &situation);
     let drafts: Vec<Draft> = drafted.map(whole).collect();
-    let samples = window::samples(&situation, &drafts);
+    let (samples, sample_count) = window::samples(&situation, &drafts);
     let mut fitted = any(drafts.iter().map(|draft| fitted::fit(draft, &situation, &samples)))?;
     if fitted.is_empty() {
         return Err(PlanError::Degenerate {
@@ -166,7 +168,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
         made_for_position: made_for(case, position),
     };
     let selection = draft.selection.clone();
-    Ok(plan(Made { choice, depth_order, facets, selection, covered, p95_pixels }))
+    Ok(plan(Made { choice, depth_order, facets, selection, covered, samples: sample_count, p95_pixels }))
 }
 
 /// What was made, in camera space, with tiles from the region's corner.
@@ -177,6 +179,8 @@ struct Made {
     selection: Selection,
     /// Half-spaces of the receivers that have a facet.
     covered: Vec<DVec4>,
+    /// Sample receivers by which it was judged.
+    samples: u32,
     p95_pixels: f64,
 }
 

@@ -12,11 +12,9 @@ use crate::layout::{Gram, Spread, is_balanced};
 use crate::polygon::{self, Outline};
 use crate::receivers::{DEPTH_ROW, Polytope, is_negligible};
 use crate::remap::{Curve, Remap};
-use crate::samples::{self, Points, SAMPLED_HORIZON_METRES};
+use crate::samples::{self, COUNTED, Points, SAMPLED_HORIZON_METRES};
 use crate::technique::{Draft, FacetDraft, Region, Situation, TileRequest};
 
-/// Sample receivers of a view where tiles are sized by them, or its pixels are known.
-const COUNTED: usize = 1024;
 /// Fewest known pixels of a facet that say what its texels span.
 const FEWEST_PIXELS: usize = 24;
 /// Fewest bands of a column of which none reaches far in depth.
@@ -238,20 +236,21 @@ fn beams(rows: &FacetRows, outline: &[DVec2], draft: &FacetDraft, situation: &Si
     Beams::of(&seen(&outline, &receivers))
 }
 
-/// Visible points of a situation, camera space, by which drafts are judged.
-pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> Points {
+/// Visible points of a situation, camera space, by which drafts are judged, and how many were asked for.
+pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft]) -> (Points, u32) {
     if let Some(seen) = situation.sighted.samples() {
-        return Points::from_slice(seen);
+        return (Points::from_slice(seen), COUNTED);
     }
     let is_sized = |draft: &Draft| draft.facets.len() > 1 && draft.facets.iter().any(is_sized);
     let is_counted = |draft: &Draft| is_counted(draft, situation) && is_sized(draft);
-    if situation.sighted.is_known() || drafts.iter().any(is_counted) {
-        return Points::from_vec(samples::receivers(situation.view, &situation.receivers, COUNTED));
-    }
-    let count = samples::count(drafts.len(), drafts.first().map_or(0, |draft| draft.facets.len()));
+    let count = if situation.sighted.is_known() || drafts.iter().any(is_counted) {
+        COUNTED
+    } else {
+        samples::count(drafts.len(), drafts.first().map_or(0, |draft| draft.facets.len()))
+    };
     let mut points = Points::new();
-    samples::visible(&situation.receivers, count, &mut points);
-    points
+    samples::sample(situation.view, &situation.receivers, count, &mut points);
+    (points, count)
 }
 
 /// Whether a draft's tiles are sized by the view's own samples: where it is known exactly what is seen, and where facets reach

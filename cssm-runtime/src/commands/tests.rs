@@ -81,6 +81,7 @@ fn plan(facets: Vec<Facet>) -> ShadowPlan {
             follows_camera: false,
             receivers: Vec::new(),
             lit: Vec::new(),
+            samples: 0,
             p95_pixels: 1.0,
         },
         selection: Selection::single(),

@@ -94,6 +94,7 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
             follows_camera: false,
             receivers: Vec::new(),
             lit: Vec::new(),
+            samples: 0,
             p95_pixels: 1.0,
         },
         selection: Selection::single(),

@@ -13,6 +13,7 @@ mod lit;
 mod make;
 mod region;
 mod request;
+mod texels;
 mod visible;
 mod window;
 

@@ -4,7 +4,8 @@ use glam::DVec3;
 use smallvec::SmallVec;
 
 use super::PlanError;
-use super::window::{self, Texels, Window, Windows};
+use super::texels::Texels;
+use super::window::{self, Window, Windows};
 use crate::choose::Prediction;
 use crate::facet::Tile;
 use crate::layout::{self, MapArea, Spread, TileDemand};

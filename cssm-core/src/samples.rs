@@ -39,7 +39,7 @@ pub fn receivers(view: &View, receivers: &Polytope, count: usize) -> Vec<DVec3> 
 }
 
 /// Sample receivers; so many need no allocation.
-pub(crate) type Points = SmallVec<[DVec3; COMPARED as usize]>;
+pub(crate) type Points = SmallVec<[DVec3; (TRIES * COMPARED) as usize]>;
 
 /// Sample receivers of a view by which drafts are compared.
 const COMPARED: u32 = 256;
@@ -49,6 +49,8 @@ const ALONE: u32 = 128;
 const FEW: u32 = 64;
 /// Sample receivers of a view where tiles are sized by them, or its pixels are known.
 pub(crate) const COUNTED: u32 = 1024;
+/// Points that are tried for each sample of receivers that are no whole frustum.
+const TRIES: u32 = 2;
 /// Most facets that are few.
 const FEW_FACETS: usize = 4;
 
@@ -82,11 +84,12 @@ fn visible(receivers: &Polytope, count: u32, points: &mut Points) {
     let (left, right) = receivers.ratio_range(DVec4::X, DEPTH_ROW);
     let (bottom, top) = receivers.ratio_range(DVec4::Y, DEPTH_ROW);
 
-    // Depths grow by a constant ratio.
+    // Of the box around receivers that are no frustum they fill a part. Depths grow by a constant ratio.
+    let is_whole = receivers.is_frustum();
+    let count = if is_whole { count } else { TRIES * count };
     let ratio = libm::exp(libm::log(farthest / nearest) / f64::from(count));
     let mut depth = nearest * ratio.sqrt();
     let mut place = DVec2::splat(0.5);
-    let is_whole = receivers.is_frustum();
     points.clear();
     for _ in 0..count {
         let (x, y) = (left + (right - left) * place.x, bottom + (top - bottom) * place.y);

@@ -130,7 +130,7 @@ fn predicted(windows: &Windows<'_>, tiles: &[Tile], situation: &Situation<'_>, s
     if windows.list.iter().any(|window| window.weight != 1.0) {
         return weighted_rank(&mut squares.collect::<Vec<_>>()).sqrt();
     }
-    let mut squares: SmallVec<[f64; 256]> = squares.map(|(square, _)| square).collect();
+    let mut squares: SmallVec<[f64; 512]> = squares.map(|(square, _)| square).collect();
     let rank = (PREDICTED * squares.len() as f64) as usize;
     if rank >= squares.len() {
         return 0.0;

@@ -107,7 +107,7 @@ impl ShadowPlan {
         let way = view.eye_world - self.eye_world;
         let mut points = Points::new();
         samples::sample(view, &receivers, self.basis.samples, &mut points);
-        let mut footprints: SmallVec<[f64; 256]> = points
+        let mut footprints: SmallVec<[f64; 512]> = points
             .into_iter()
             .map(|point| {
                 let from_eye = world_from_camera * point + way;

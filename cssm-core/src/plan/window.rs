@@ -70,7 +70,7 @@ pub(super) struct Window<'a> {
 pub(super) struct Windows<'a> {
     pub(super) list: Vec<Window<'a>>,
     /// Window of each sample of the view; [`OUTSIDE`] where it has none.
-    owners: SmallVec<[u32; 256]>,
+    owners: SmallVec<[u32; 512]>,
     /// Whether tiles are sized by samples of the view.
     is_counted: bool,
 }

@@ -107,6 +107,10 @@ pub(crate) fn depth_rows(
 }
 
 /// A polytope cut by a plane, if that leaves anything; not copied where there is nothing to cut off.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a polytope in place asks for no memory, and parts are never stored"
+)]
 enum Part<'a> {
     /// The whole polytope lies on the plane's right side.
     Whole(&'a Polytope, DVec4),
@@ -156,7 +160,13 @@ fn range(zeta: DVec4, places: &[(DVec4, f64)], margin: f64) -> (f64, f64) {
     let mut ends = (f64::INFINITY, f64::NEG_INFINITY);
     for (place, per_metre) in places {
         let (value, margin) = (zeta.dot(*place), margin * per_metre);
-        ends = (ends.0.min(value - margin), ends.1.max(value + margin));
+        let (low, high) = (value - margin, value + margin);
+        if low < ends.0 {
+            ends.0 = low;
+        }
+        if high > ends.1 {
+            ends.1 = high;
+        }
     }
     ends
 }
@@ -208,6 +218,15 @@ impl Terms {
         let mut largest = [f64::NEG_INFINITY; LARGEST];
         let largest = &mut largest[..rank];
         let limit = limit * depth_per_metre;
+        if let [only] = largest {
+            for (terms, weight) in &self.samples {
+                let value = row.dot(*terms) * weight;
+                if value > *only {
+                    *only = value;
+                }
+            }
+            return (*only <= limit).then_some(*only / depth_per_metre);
+        }
         for (terms, weight) in &self.samples {
             let mut value = row.dot(*terms) * weight;
             for place in largest.iter_mut() {

@@ -164,6 +164,16 @@ impl Sighted {
         &self.cut
     }
 
+    /// Whether anything is known of where pixels are.
+    pub(crate) const fn is_known(&self) -> bool {
+        !self.points.is_empty()
+    }
+
+    /// How far what is known of pixels is to be believed.
+    pub(crate) const fn trust(&self) -> f64 {
+        self.trust
+    }
+
     /// Places where pixels are, if anything is known of them.
     fn points(&self) -> Option<&[DVec3]> {
         (!self.points.is_empty()).then_some(&self.points)

@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec2, DVec3, DVec4};
 
+pub(crate) mod beams;
 mod casters;
 mod dominant;
 mod finish;
@@ -13,6 +14,7 @@ mod make;
 mod region;
 mod request;
 mod snap;
+mod texels;
 mod visible;
 mod window;
 

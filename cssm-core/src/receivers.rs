@@ -13,15 +13,20 @@ use crate::view::View;
 /// Row of the depth along the view axis, camera space.
 pub(crate) const DEPTH_ROW: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
 
+/// Vertices that need no allocation.
+const FEW: usize = 32;
+/// Planes that need no allocation.
+const FEW_PLANES: usize = 32;
+
 /// A convex polytope.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Polytope {
     /// Vertices, homogeneous, w >= 0.
-    pub vertices: Vec<DVec4>,
+    pub vertices: SmallVec<[DVec4; FEW]>,
     /// Half-spaces h.X >= 0 whose meet is the polytope.
-    pub planes: Vec<DVec4>,
+    pub planes: SmallVec<[DVec4; FEW_PLANES]>,
     /// Bit i: the vertex lies on plane i; bit 63: the vertex lies at infinity.
-    incidence: Vec<u64>,
+    incidence: SmallVec<[u64; FEW]>,
     /// Whether it is a view's frustum that nothing was cut off.
     is_frustum: bool,
 }
@@ -36,17 +41,23 @@ const AT_INFINITY: u64 = 1 << 63;
 /// Plane bits end below the bit of infinity.
 const PLANE_LIMIT: usize = 63;
 
+impl Clone for Polytope {
+    fn clone(&self) -> Self {
+        self.copied()
+    }
+}
+
 impl Polytope {
     /// The view frustum in camera space from the near plane to `far_metres` (may be infinite).
     pub fn frustum(view: &View, far_metres: f64) -> Self {
         let near = view.near_metres;
-        let mut planes = vec![
+        let mut planes = SmallVec::from_slice(&[
             DVec4::new(0.0, 1.0, view.bottom, 0.0),
             DVec4::new(-1.0, 0.0, -view.right, 0.0),
             DVec4::new(0.0, -1.0, -view.top, 0.0),
             DVec4::new(1.0, 0.0, view.left, 0.0),
             DVec4::new(0.0, 0.0, -1.0, -near),
-        ];
+        ]);
         let far_bit = if far_metres.is_finite() {
             planes.push(DVec4::new(0.0, 0.0, 1.0, far_metres));
             1 << 5
@@ -55,8 +66,7 @@ impl Polytope {
         };
 
         // Corner k lies on the side planes k - 1 and k.
-        let mut vertices = Vec::with_capacity(8);
-        let mut incidence = Vec::with_capacity(8);
+        let (mut vertices, mut incidence) = (SmallVec::new(), SmallVec::new());
         for (k, (x, y)) in view.corner_tangents().into_iter().enumerate() {
             let sides = (1 << k) | (1 << ((k + 3) % 4));
             vertices.push(DVec4::new(x * near, y * near, -near, 1.0));
@@ -73,7 +83,12 @@ impl Polytope {
 
     /// The polytope of nothing.
     pub fn empty() -> Self {
-        Self { vertices: Vec::new(), planes: Vec::new(), incidence: Vec::new(), is_frustum: false }
+        Self {
+            vertices: SmallVec::new(),
+            planes: SmallVec::new(),
+            incidence: SmallVec::new(),
+            is_frustum: false,
+        }
     }
 
     /// Cuts with a world-space box, given the eye and the rotation to camera axes.
@@ -168,16 +183,21 @@ impl Polytope {
 
     /// The polytope cut by several half-spaces.
     pub fn cut_by(&self, planes: &[DVec4]) -> Self {
-        let mut cut = Self {
-            vertices: with_room(&self.vertices, 4),
-            planes: with_room(&self.planes, planes.len() + 1),
-            incidence: with_room(&self.incidence, 4),
-            is_frustum: self.is_frustum,
-        };
+        let mut cut = self.copied();
         for plane in planes {
             cut.cut(*plane);
         }
         cut
+    }
+
+    /// A copy: numbers are copied as a whole.
+    fn copied(&self) -> Self {
+        Self {
+            vertices: SmallVec::from_slice(&self.vertices),
+            planes: SmallVec::from_slice(&self.planes),
+            incidence: SmallVec::from_slice(&self.incidence),
+            is_frustum: self.is_frustum,
+        }
     }
 
     /// Whether it is a view's frustum that nothing was cut off.
@@ -241,13 +261,6 @@ pub(crate) fn is_negligible(value: f64, row: DVec4, vertex: DVec4) -> bool {
     }
     let terms = row.truncate().length() * vertex.truncate().length() + (row.w * vertex.w).abs();
     value.abs() <= ALONG_LIGHT * terms
-}
-
-/// A copy of a list that may grow a little without moving.
-fn with_room<T: Copy>(list: &[T], more: usize) -> Vec<T> {
-    let mut copy = Vec::with_capacity(list.len() + more);
-    copy.extend_from_slice(list);
-    copy
 }
 
 /// Value of a plane on a vertex; zero where the vertex counts as lying on it.

@@ -1,6 +1,7 @@
 //! Sample receivers: visible points spread over the screen and, evenly in their logarithm, over depth.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3, DVec4};
+use smallvec::SmallVec;
 
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::view::View;
@@ -35,6 +36,71 @@ pub fn receivers(view: &View, receivers: &Polytope, count: usize) -> Vec<DVec3> 
         }
     }
     points
+}
+
+/// Sample receivers; so many need no allocation.
+pub(crate) type Points = SmallVec<[DVec3; (TRIES * COMPARED) as usize]>;
+
+/// Sample receivers of a view by which drafts are compared.
+const COMPARED: u32 = 256;
+/// Sample receivers of a view where there is one draft.
+const ALONE: u32 = 128;
+/// The same where it has few facets, over which footprints go with depth, in which samples are even.
+const FEW: u32 = 64;
+/// Sample receivers of a view where tiles are sized by them, or its pixels are known.
+pub(crate) const COUNTED: u32 = 1024;
+/// Points that are tried for each sample of receivers that are no whole frustum.
+const TRIES: u32 = 2;
+/// Most facets that are few.
+const FEW_FACETS: usize = 4;
+
+/// Sample receivers by which so many drafts are judged, the first of which has so many facets.
+pub(crate) const fn count(drafts: usize, facets: usize) -> u32 {
+    match (drafts, facets) {
+        (0 | 1, 0..=FEW_FACETS) => FEW,
+        (0 | 1, _) => ALONE,
+        _ => COMPARED,
+    }
+}
+
+/// So many sample receivers of a view.
+pub(crate) fn sample(view: &View, within: &Polytope, count: u32, points: &mut Points) {
+    if count > COMPARED {
+        points.clear();
+        points.extend(receivers(view, within, count as usize));
+    } else {
+        visible(within, count, points);
+    }
+}
+
+/// Visible points of the receivers in camera space, from near to far, out of `count` that are tried: even over the part
+/// of the screen that holds receivers, even in the logarithm of depth.
+fn visible(receivers: &Polytope, count: u32, points: &mut Points) {
+    // Powers of 1/g with g^3 = g + 1: the plane's sequence of lowest known discrepancy of its kind.
+    const STEP: DVec2 = DVec2::new(0.754_877_666_246_692_7, 0.569_840_290_998_053_2);
+    let (nearest, farthest) = receivers.range(DEPTH_ROW);
+    let nearest = nearest.max(f64::MIN_POSITIVE);
+    let farthest = if farthest.is_finite() { farthest } else { SAMPLED_HORIZON_METRES.max(1e3 * nearest) };
+    let (left, right) = receivers.ratio_range(DVec4::X, DEPTH_ROW);
+    let (bottom, top) = receivers.ratio_range(DVec4::Y, DEPTH_ROW);
+
+    // Of the box around receivers that are no frustum they fill a part. Depths grow by a constant ratio.
+    let is_whole = receivers.is_frustum();
+    let count = if is_whole { count } else { TRIES * count };
+    let ratio = libm::exp(libm::log(farthest / nearest) / f64::from(count));
+    let mut depth = nearest * ratio.sqrt();
+    let mut place = DVec2::splat(0.5);
+    points.clear();
+    for _ in 0..count {
+        let (x, y) = (left + (right - left) * place.x, bottom + (top - bottom) * place.y);
+        let point = DVec3::new(x, y, -1.0) * depth;
+        if is_whole || receivers.contains(point.extend(1.0)) {
+            points.push(point);
+        }
+        depth *= ratio;
+        place += STEP;
+        place -= DVec2::new(whole(place.x), whole(place.y));
+    }
 }
 
 /// The whole part of a small positive number.

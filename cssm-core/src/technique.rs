@@ -19,6 +19,7 @@ pub mod warp_family;
 pub(crate) use self::standard::light_plane_axes;
 
 use glam::{DVec2, DVec3, DVec4};
+use smallvec::{SmallVec, smallvec};
 
 use crate::case::{CaseError, LightCase, LightKind};
 use crate::facet::{Cell, FacetShape, Selection};
@@ -147,9 +148,9 @@ impl FacetDraft {
     }
 
     /// A facet of one cell whose rows are not bent.
-    pub fn straight(cell: Cell, rows: [DVec4; 3], own: (Vec<DVec4>, Polytope), region: Region) -> Self {
+    pub fn straight(cell: Cell, rows: [DVec4; 3], own: (Sides, Polytope), region: Region) -> Self {
         let ([x, y, w], (select, receivers)) = (rows, own);
-        Self { cells: vec![cell], x, y, curve: Curve::Straight, w, select, receivers, region }
+        Self { cells: smallvec![cell], x, y, curve: Curve::Straight, w, select, receivers, region }
     }
 }
 
@@ -292,9 +293,9 @@ impl Draft {
     }
 
     /// The facet of each cell of the walk.
-    pub(crate) fn owners(&self) -> Vec<Option<usize>> {
+    pub(crate) fn owners(&self) -> SmallVec<[Option<usize>; 40]> {
         let Selection { sectors, bands, .. } = self.selection;
-        let mut owners = vec![None; self.selection.dominant_cell() as usize + 1];
+        let mut owners = SmallVec::from_elem(None, self.selection.dominant_cell() as usize + 1);
         for (index, facet) in self.facets.iter().enumerate() {
             if facet.is_dominant() {
                 owners[self.selection.dominant_cell() as usize] = Some(index);
@@ -308,11 +309,14 @@ impl Draft {
     }
 }
 
+/// Half-spaces, few.
+pub type Sides = SmallVec<[DVec4; 6]>;
+
 /// A facet before its window is fitted.
 #[derive(Debug, Clone)]
 pub struct FacetDraft {
     /// Cells of the selection whose receivers are its own; none: those near the dominant plane.
-    pub cells: Vec<Cell>,
+    pub cells: SmallVec<[Cell; 4]>,
     /// Across; annihilates the light.
     pub x: DVec4,
     /// Up the tile; annihilates the light. Where rows are bent, y/w is 1 / distance.
@@ -322,7 +326,7 @@ pub struct FacetDraft {
     /// Divisor, positive on receivers; annihilates the light.
     pub w: DVec4,
     /// Half-spaces of its own receivers.
-    pub select: Vec<DVec4>,
+    pub select: Sides,
     /// Its own receivers.
     pub receivers: Polytope,
     /// Where it lies in the map.

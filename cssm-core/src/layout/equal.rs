@@ -6,14 +6,14 @@
 //! answer: a minimum of continuous functions of view and light, and so continuous itself.
 
 use super::spread::{self, Curve, WIDTHS};
-use super::strips::{self, Strip};
+use super::strips::{self, Few, Strip};
 use super::{MapArea, Placement, TileDemand};
 use crate::plan::PlanError;
 
 /// Rounds of the search for the footprint; half a dozen is usual.
 const ROUNDS: u32 = 40;
 /// Relative precision of the footprint.
-const PRECISION: f64 = 5e-5;
+const PRECISION: f64 = 1e-4;
 /// Share of the map that tiles of least sides would fill, where the search begins.
 const FIRST_FILL: f64 = 0.8;
 
@@ -22,7 +22,7 @@ pub(super) fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Placem
     let mut search = Search::new(&fold);
     let placed = search.smallest(&fold).and_then(|footprint| {
         let runs = &search.best;
-        let strips: Vec<Strip> = runs.iter().map(|run| fold.strip(run, footprint)).collect();
+        let strips: Few<Strip> = runs.iter().map(|run| fold.strip(run, footprint)).collect();
         let tiles = strips::tiles(&strips, demands.len(), area, true)?;
         let turned = runs.iter().flat_map(|run| fold.turned(run));
         Some(tiles.into_iter().zip(turned).map(|(tile, turned)| Placement { tile, turned }).collect())
@@ -74,23 +74,19 @@ impl Fold {
         }
     }
 
-    /// Inner width at which the lengths of a run add up to the map's height, among the widths from `start` on, where it
-    /// goes on from; `None` where no width is enough.
+    /// Inner width at which the lengths of a run, whose running sums these are, add up to the map's height, among the widths
+    /// from `start` on, where it goes on from; `None` where no width is enough.
     fn width(&self, before: &[f64; WIDTHS], after: &[f64; WIDTHS], start: &mut usize) -> Option<f64> {
-        let need = |index: usize| after[index] - before[index];
-        while need(*start) > self.map_height {
-            *start += 1;
-            if *start == WIDTHS {
-                return None;
-            }
-        }
-        let high = *start;
+        let height = self.map_height;
+        let enough = |index: &usize| after[*index] - before[*index] <= height;
+        let high = (*start..WIDTHS).find(enough)?;
+        *start = high;
         if high == 0 {
             return Some(self.widths[0]);
         }
         // Lengths fall like 1 / width: interpolate their reciprocals.
-        let (one, two) = (1.0 / need(high - 1), 1.0 / need(high));
-        let part = (1.0 / self.map_height - one) / (two - one);
+        let (one, two) = (after[high - 1] - before[high - 1], after[high] - before[high]);
+        let part = (one - height) * two / (height * (one - two));
         Some(self.widths[high - 1] + (self.widths[high] - self.widths[high - 1]) * part)
     }
 
@@ -191,7 +187,9 @@ impl Search {
         let mut sum = [0.0; WIDTHS];
         for (curve, place) in fold.curves.iter().zip(&mut self.sums[1..]) {
             for (sum, length) in sum.iter_mut().zip(&curve.lengths) {
-                *sum += (length * per_footprint + fold.gutters).max(fold.smallest_side).min(longest);
+                let side = length * per_footprint + fold.gutters;
+                let side = if side > fold.smallest_side { side } else { fold.smallest_side };
+                *sum += if side < longest { side } else { longest };
             }
             *place = sum;
         }
@@ -207,7 +205,11 @@ impl Search {
             for from in (0..to).rev() {
                 // Longer runs need more width.
                 let Some(width) = fold.width(&self.sums[from], &self.sums[to], &mut start) else { break };
-                let side = fold.side(width, footprint);
+                let side = width * per_footprint + fold.gutters;
+                let side = if side > fold.smallest_side { side } else { fold.smallest_side };
+                if step == 0 && side >= self.least[to].0 {
+                    break;
+                }
                 for layer in step..layers {
                     let total = self.least[(layer - step) * places + from].0 + side;
                     let least = &mut self.least[layer * places + to];

@@ -1,25 +1,30 @@
 //! Shares of the map: tiles as square as can be.
 
-use super::strips::{self, Strip};
+use super::strips::{self, Few, Strip};
 use super::{MapArea, TileDemand};
 use crate::facet::Tile;
 use crate::plan::PlanError;
 use crate::technique::TileRequest;
+use smallvec::{SmallVec, smallvec};
 
 pub(super) fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Tile>, PlanError> {
+    if let ([_], true) = (demands, area.width.min(area.height) >= area.smallest_side()) {
+        let MapArea { width, height, gutter, .. } = *area;
+        return Ok(vec![Tile { x: 0, y: 0, width, height, gutter }]);
+    }
     let total = f64::from(area.width) * f64::from(area.height);
-    let areas: Vec<f64> =
+    let areas: Few<f64> =
         demands.iter().map(|demand| asked(&demand.request, demands.len()) * total).collect();
     let sum: f64 = areas.iter().sum();
-    let areas: Vec<f64> = areas.iter().map(|area| area / sum * total).collect();
+    let areas: Few<f64> = areas.iter().map(|area| area / sum * total).collect();
 
     // Try upright and lying strips and keep the better.
     let orientations = if area.strips.is_some() { &[true][..] } else { &[true, false][..] };
     let mut best: Option<(f64, Vec<Tile>)> = None;
     for upright in orientations {
         let along = f64::from(if *upright { area.height } else { area.width });
-        let wishes: Vec<Wish> = areas.iter().map(|area| Wish { area: *area, across: area.sqrt() }).collect();
-        let strips: Vec<Strip> = partition(&wishes, along, area.strips)
+        let wishes: Few<Wish> = areas.iter().map(|area| Wish { area: *area, across: area.sqrt() }).collect();
+        let strips: Few<Strip> = partition(&wishes, along, area.strips)
             .iter()
             .map(|strip| Strip {
                 side: strip.iter().map(|index| areas[*index]).sum(),
@@ -60,16 +65,16 @@ struct Wish {
 }
 
 /// Tiles of each strip, in order.
-type Partition = Vec<Vec<usize>>;
+type Partition = Few<Few<usize>>;
 
 /// Splits the wishes, ordered by width, into strips so that widths differ least from those wished. `length` is the
 /// strips' length; `count` their number, if declared. Cost is the area-weighted squared logarithm of the misfit.
 fn partition(wishes: &[Wish], length: f64, count: Option<u32>) -> Partition {
-    let mut order: Vec<usize> = (0..wishes.len()).collect();
+    let mut order: Few<usize> = (0..wishes.len()).collect();
     order.sort_by(|one, two| wishes[*two].across.total_cmp(&wishes[*one].across).then(one.cmp(two)));
 
     // Cost of a strip of neighbours, from running sums of area, area log(width) and area log(width)^2.
-    let mut sums = vec![(0.0, 0.0, 0.0)];
+    let mut sums: Few<(f64, f64, f64)> = smallvec![(0.0, 0.0, 0.0)];
     for index in &order {
         let (wish, last) = (&wishes[*index], sums[sums.len() - 1]);
         let logarithm = libm::log(wish.across);
@@ -86,27 +91,35 @@ fn partition(wishes: &[Wish], length: f64, count: Option<u32>) -> Partition {
     // best[s][i]: least cost of the first i tiles in s strips.
     let tiles = wishes.len();
     let strips = count.map_or(tiles, |count| (count as usize).min(tiles));
-    let costs: Vec<Vec<f64>> = (0..=tiles).map(|to| (0..to).map(|from| cost(from, to)).collect()).collect();
-    let mut best = vec![vec![(f64::INFINITY, 0); tiles + 1]; strips + 1];
-    best[0][0].0 = 0.0;
+    let places = tiles + 1;
+    let mut costs: SmallVec<[f64; 64]> = SmallVec::from_elem(0.0, places * places);
+    for to in 0..places {
+        for from in 0..to {
+            costs[to * places + from] = cost(from, to);
+        }
+    }
+    let mut best: SmallVec<[(f64, usize); 64]> =
+        SmallVec::from_elem((f64::INFINITY, 0), places * (strips + 1));
+    best[0].0 = 0.0;
     for strip in 1..=strips {
         for to in 1..=tiles {
             for from in 0..to {
-                let total = best[strip - 1][from].0 + costs[to][from];
-                if total < best[strip][to].0 {
-                    best[strip][to] = (total, from);
+                let total = best[(strip - 1) * places + from].0 + costs[to * places + from];
+                if total < best[strip * places + to].0 {
+                    best[strip * places + to] = (total, from);
                 }
             }
         }
     }
     let fewest = if count.is_some() { strips } else { 1 };
-    let chosen = (fewest..=strips).min_by(|one, two| best[*one][tiles].0.total_cmp(&best[*two][tiles].0));
+    let least = |strip: usize| best[strip * places + tiles].0;
+    let chosen = (fewest..=strips).min_by(|one, two| least(*one).total_cmp(&least(*two)));
     let mut strip = chosen.unwrap_or(0);
-    let mut parts = Vec::with_capacity(strip);
+    let mut parts = Partition::new();
     let mut to = tiles;
     while strip > 0 {
-        let from = best[strip][to].1;
-        parts.push(order[from..to].to_vec());
+        let from = best[strip * places + to].1;
+        parts.push(Few::from_slice(&order[from..to]));
         (to, strip) = (from, strip - 1);
     }
     parts.reverse();

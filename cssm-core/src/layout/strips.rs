@@ -1,7 +1,12 @@
 //! Strips side by side, tiles end to end: whole-texel sides that fill the map.
 
+use smallvec::SmallVec;
+
 use super::MapArea;
 use crate::facet::Tile;
+
+/// A short list.
+pub(super) type Few<T> = SmallVec<[T; 8]>;
 
 /// Tiles end to end along the map; sides are wishes, in proportion.
 #[derive(Debug, Clone)]
@@ -9,19 +14,19 @@ pub(super) struct Strip {
     /// Side across the strip.
     pub(super) side: f64,
     /// Index of each tile and its side along the strip.
-    pub(super) tiles: Vec<(usize, f64)>,
+    pub(super) tiles: Few<(usize, f64)>,
 }
 
 /// Whole-texel tiles of strips side by side: across the map's width, or its height unless `upright`. `None` when the
 /// smallest sides do not fit.
 pub(super) fn tiles(strips: &[Strip], count: usize, area: &MapArea, upright: bool) -> Option<Vec<Tile>> {
     let (across, along) = if upright { (area.width, area.height) } else { (area.height, area.width) };
-    let wishes: Vec<f64> = strips.iter().map(|strip| strip.side).collect();
+    let wishes: Few<f64> = strips.iter().map(|strip| strip.side).collect();
     let strip_sides = share(&wishes, across, area.smallest_side())?;
     let mut tiles = vec![Tile { x: 0, y: 0, width: 0, height: 0, gutter: area.gutter }; count];
     let mut strip_start = 0;
     for (strip, strip_side) in strips.iter().zip(strip_sides) {
-        let wishes: Vec<f64> = strip.tiles.iter().map(|(_, side)| *side).collect();
+        let wishes: Few<f64> = strip.tiles.iter().map(|(_, side)| *side).collect();
         let sides = share(&wishes, along, area.smallest_side())?;
         let mut start = 0;
         for ((index, _), side) in strip.tiles.iter().zip(sides) {
@@ -39,11 +44,11 @@ pub(super) fn tiles(strips: &[Strip], count: usize, area: &MapArea, upright: boo
 }
 
 /// Splits `total` into whole parts in proportion to the wishes, none below `smallest`.
-fn share(wishes: &[f64], total: u32, smallest: u32) -> Option<Vec<u32>> {
+fn share(wishes: &[f64], total: u32, smallest: u32) -> Option<Few<u32>> {
     let free = total.checked_sub(smallest.checked_mul(wishes.len() as u32)?)?;
 
     // Parts below the smallest take it; the others share the rest, until no further part falls below.
-    let mut raised = vec![false; wishes.len()];
+    let mut raised: Few<bool> = SmallVec::from_elem(false, wishes.len());
     loop {
         let rest =
             f64::from(total) - raised.iter().filter(|raised| **raised).count() as f64 * f64::from(smallest);
@@ -51,7 +56,7 @@ fn share(wishes: &[f64], total: u32, smallest: u32) -> Option<Vec<u32>> {
         let low = |(index, wish): (usize, &f64)| {
             (!raised[index] && *wish / sum * rest < f64::from(smallest)).then_some(index)
         };
-        let lows: Vec<usize> = wishes.iter().enumerate().filter_map(low).collect();
+        let lows: Few<usize> = wishes.iter().enumerate().filter_map(low).collect();
         if lows.is_empty() || free == 0 {
             // Round the running sums, so that the parts add up.
             let (mut exact, mut used) = (0.0, 0_u32);

@@ -5,10 +5,11 @@
 //! facet's texel grid is the screen's, wherever the view looks.
 
 use glam::{DVec3, DVec4};
+use smallvec::{SmallVec, smallvec};
 
 use crate::receivers::DEPTH_ROW;
 use crate::remap::Curve;
-use crate::technique::{FacetDraft, Region, Situation, TileRequest};
+use crate::technique::{FacetDraft, Region, Sides, Situation, TileRequest};
 
 /// A plane in camera space with its facet.
 #[derive(Debug)]
@@ -40,12 +41,12 @@ pub(super) fn facet(situation: &Situation<'_>, plane: DVec4) -> Option<DominantF
     // Move rows along the light onto the plane.
     let onto = |row: DVec4| row - plane * (row.dot(light) / plane.dot(light));
     let (x, y, w) = (onto(DVec4::X), onto(DVec4::Y), onto(DEPTH_ROW));
-    let mut select = vec![plane + DVec4::W * thickness, DVec4::W * thickness - plane];
+    let mut select: Sides = smallvec![plane + DVec4::W * thickness, DVec4::W * thickness - plane];
     let front = w - DVec4::W * (0.5 * situation.view.near_metres);
     select.push(front);
     let receivers = situation.receivers.cut_by(&select);
     let facet = FacetDraft {
-        cells: Vec::new(),
+        cells: SmallVec::new(),
         x,
         y,
         curve: Curve::Straight,

@@ -6,7 +6,7 @@ use smallvec::SmallVec;
 use super::casters;
 use super::fitted::map_area;
 use super::region::{self, Inset};
-use super::window::{Sample, Window, Windows};
+use super::window::{Sample, Window};
 use crate::case::{Bias, DepthFormat, Filter, LightCase};
 use crate::depth::{COMPARED_SAMPLES, DepthNeeds, DepthRow, depth_rows};
 use crate::facet::{Facet, FacetRows, Tile};
@@ -47,8 +47,8 @@ pub(super) struct Finished {
 
 /// Everything of a window's facet but the choice of its depth.
 pub(super) fn finish(
-    windows: &Windows<'_>,
     window: &Window<'_>,
+    samples: &[Sample],
     tile: Tile,
     cells: Vec<u32>,
     depth: Depth<'_>,
@@ -61,7 +61,6 @@ pub(super) fn finish(
         inset.ok_or_else(|| map_area(situation).too_small(1))?;
 
     // Measure texels across the light, per w.
-    let samples = windows.samples(window);
     let texels = TexelsPerW::measure(&rows, inner_texels, samples, situation.view);
     let extension = PLANE_EXTENSION_TEXELS.max(situation.case.filter.radius_texels() + 1);
     let margin =
@@ -83,10 +82,10 @@ pub(super) fn finish(
     let rounding = FLOAT_ROUNDING + 1.5 * situation.case.map.format.rounding();
     let facet = Facet {
         cells,
-        select: window.draft.select.clone(),
+        select: window.draft.select.to_vec(),
         clip,
         casters: casters::planes(&rows, &tile, &receivers.planes, &outline, situation.light),
-        receivers: receivers.vertices.clone(),
+        receivers: receivers.vertices.to_vec(),
         rows,
         tile,
         depth_per_metre: 1.0,

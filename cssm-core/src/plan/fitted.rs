@@ -5,7 +5,8 @@ use smallvec::SmallVec;
 
 use super::PlanError;
 use super::snap;
-use super::window::{self, Windows};
+use super::texels::Texels;
+use super::window::{self, Window, Windows};
 use crate::case::Stability;
 use crate::choose::Prediction;
 use crate::facet::Tile;
@@ -42,18 +43,20 @@ pub(super) fn fit<'a>(
     samples: &[DVec3],
 ) -> Result<Fitted<'a>, PlanError> {
     let mut windows = window::fit(draft, situation, samples);
-    let tiles = tiles(&mut windows, situation)?;
+    let tiles = tiles(&mut windows, situation, samples)?;
     if situation.case.stability == Stability::Snapped {
         snap::snap(&mut windows, &tiles, situation.view);
     }
-    let weighted = windows.list.iter().any(|window| window.weight != 1.0);
-    let p95_pixels =
-        if weighted { predicted_by_pixels(&windows, &tiles) } else { predicted(&windows, &tiles) };
+    let p95_pixels = predicted(&windows, &tiles, situation, samples);
     Ok(Fitted { draft, windows, tiles, p95_pixels })
 }
 
 /// The tile of each window; windows that lie better turned are turned.
-fn tiles(windows: &mut Windows<'_>, situation: &Situation<'_>) -> Result<Vec<Tile>, PlanError> {
+fn tiles(
+    windows: &mut Windows<'_>,
+    situation: &Situation<'_>,
+    samples: &[DVec3],
+) -> Result<Vec<Tile>, PlanError> {
     // The dominant plane's facet takes a strip over the whole width: it is as wide as the screen.
     let whole = map_area(situation);
     let has_dominant = windows.list.iter().any(|window| window.draft.is_dominant());
@@ -87,14 +90,20 @@ fn tiles(windows: &mut Windows<'_>, situation: &Situation<'_>) -> Result<Vec<Til
         }
     }
 
-    // One demand for each tile; where footprints are not balanced, nobody asks what a tile spans.
+    // One demand for each tile; where footprints are not balanced, or a tile is alone and lies as it must or as well as
+    // turned, nobody asks what it spans.
     let first = |sharers: &SmallVec<[usize; 4]>| &windows.list[sharers[0]];
     let balanced = shared.iter().all(|sharers| layout::is_balanced(window::request(first(sharers).draft)));
-    let mut grams = Vec::new();
-    let demand = |sharers: &SmallVec<[usize; 4]>| TileDemand {
-        request: window::request(first(sharers).draft),
-        spread: if balanced { windows.spread(sharers, &mut grams) } else { Spread::NONE },
-        may_turn: first(sharers).may_turn(),
+    let turns = area.width != area.height && shared.iter().any(|sharers| first(sharers).may_turn());
+    let asked = balanced && (shared.len() > 1 || turns);
+    let demand = |sharers: &SmallVec<[usize; 4]>| {
+        let spreads = sharers.iter().filter(|_| asked);
+        let spreads = spreads.map(|index| windows.spread(*index, situation, samples));
+        TileDemand {
+            request: window::request(first(sharers).draft),
+            spread: spreads.fold(Spread::NONE, Spread::max),
+            may_turn: first(sharers).may_turn(),
+        }
     };
     let demands: SmallVec<[TileDemand; 8]> = shared.iter().map(demand).collect();
     // What does not fit beside the strip does not fit the map.
@@ -116,47 +125,41 @@ fn tiles(windows: &mut Windows<'_>, situation: &Situation<'_>) -> Result<Vec<Til
     Ok(tiles)
 }
 
-/// The predicted footprint: over the view's own samples, not over those added where a facet had few.
-fn predicted(windows: &Windows<'_>, tiles: &[Tile]) -> f64 {
-    let seen: usize = windows.list.iter().map(|window| window.seen).sum();
-    let mut squares = Vec::with_capacity(seen);
-    for (window, tile) in windows.list.iter().zip(tiles) {
+/// The predicted footprint: over the view's samples, which count by the pixels that they stand for.
+fn predicted(windows: &Windows<'_>, tiles: &[Tile], situation: &Situation<'_>, samples: &[DVec3]) -> f64 {
+    let texels = |(window, tile): (&Window<'_>, &Tile)| {
         let inner = |side: u32| f64::from(side.saturating_sub(2 * tile.gutter));
-        let (width, height) = (inner(tile.width), inner(tile.height));
-        let samples = &windows.samples(window)[..window.seen];
-        squares.extend(samples.iter().map(|sample| sample.gram.major_square(width, height)));
+        Texels::of(window, inner(tile.width), inner(tile.height), situation)
+    };
+    let texels: SmallVec<[Texels; 32]> = windows.list.iter().zip(tiles).map(texels).collect();
+    let square = |(point, owner): (&DVec3, Option<usize>)| {
+        let Some(owner) = owner else { return Some((f64::INFINITY, 1.0)) };
+        let square = texels[owner].major_square(*point);
+        square.is_finite().then_some((square, windows.list[owner].weight))
+    };
+    let squares = windows.owned(samples).filter_map(square);
+    if windows.list.iter().any(|window| window.weight != 1.0) {
+        return weighted_rank(&mut squares.collect::<Vec<_>>()).sqrt();
     }
-    let count = squares.len() + windows.outside;
-    let rank = (PREDICTED * count as f64) as usize;
-    if rank >= count {
-        return 0.0;
-    }
+    let mut squares: SmallVec<[f64; 512]> = squares.map(|(square, _)| square).collect();
+    let rank = (PREDICTED * squares.len() as f64) as usize;
     if rank >= squares.len() {
-        // Those without a facet come last.
-        return f64::INFINITY;
+        return 0.0;
     }
     let (_, square, _) = squares.select_nth_unstable_by(rank, f64::total_cmp);
     square.sqrt()
 }
 
-/// The same where windows count by their pixels.
-fn predicted_by_pixels(windows: &Windows<'_>, tiles: &[Tile]) -> f64 {
-    let mut weighted = vec![(f64::INFINITY, 1.0); windows.outside];
-    for (window, tile) in windows.list.iter().zip(tiles) {
-        let inner = |side: u32| f64::from(side.saturating_sub(2 * tile.gutter));
-        let (width, height) = (inner(tile.width), inner(tile.height));
-        let samples = &windows.samples(window)[..window.seen];
-        weighted
-            .extend(samples.iter().map(|sample| (sample.gram.major_square(width, height), window.weight)));
-    }
-    weighted.sort_by(|one, two| one.0.total_cmp(&two.0));
-    let limit = PREDICTED * weighted.iter().map(|(_, weight)| weight).sum::<f64>();
+/// The value that the predicted share of the weight does not exceed; 0 where there is none.
+fn weighted_rank(values: &mut [(f64, f64)]) -> f64 {
+    values.sort_unstable_by(|one, two| one.0.total_cmp(&two.0));
+    let limit = PREDICTED * values.iter().map(|(_, weight)| weight).sum::<f64>();
     let mut passed = 0.0;
-    let ranked = weighted.into_iter().find_map(|(square, weight)| {
+    let ranked = values.iter().find(|(_, weight)| {
         passed += weight;
-        (passed > limit).then_some(square)
+        passed > limit
     });
-    ranked.map_or(0.0, f64::sqrt)
+    ranked.map_or(0.0, |(value, _)| *value)
 }
 
 /// The part of the map that a situation's facets share.

@@ -1,6 +1,7 @@
 //! A plan held over frames: brought to another eye, asked whether it still covers what is seen, and judged anew.
 
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
 use super::fitted::PREDICTED;
 use super::make::shear;
@@ -12,7 +13,7 @@ use crate::fit::Cut;
 use crate::homography::{Gradients, singular_values};
 use crate::light::Light;
 use crate::receivers::Polytope;
-use crate::samples;
+use crate::samples::{self, Points};
 use crate::view::View;
 
 /// What a plan was made from, as far as later frames need it.
@@ -31,6 +32,8 @@ pub struct PlanBasis {
     pub lit: Vec<DVec4>,
     /// Planes with masks of their own, as many as the case declares, then none.
     pub ground_planes: [Option<WorldPlane>; MOST_GROUND_PLANES],
+    /// Sample receivers by which the plan was judged.
+    pub samples: u32,
     /// Predicted 95th percentile of the texel footprint over sample receivers of the view that the plan was made for,
     /// screen pixels.
     pub p95_pixels: f64,
@@ -39,9 +42,6 @@ pub struct PlanBasis {
 /// How far beyond a half-space a receiver may lie, relative to the terms of its distance: rounding of eyes far from the
 /// world's origin.
 const COVERED: f64 = 1e-9;
-/// Sample receivers by which a held plan is judged.
-const SAMPLES: usize = 512;
-
 impl ShadowPlan {
     /// The same plan as seen from another view: every world point has the texel, the depth and the cell that it had,
     /// expressed relative to the new eye and, in records, in the new camera axes. Everything happens in f64.
@@ -129,8 +129,10 @@ impl ShadowPlan {
         let Some(receivers) = self.covered_part(view) else { return 0.0 };
         let world_from_camera = view.camera_from_world.transpose();
         let way = view.eye_world - self.eye_world;
-        let points = samples::receivers(view, &receivers, SAMPLES).into_iter();
-        let mut footprints: Vec<f64> = points
+        let mut points = Points::new();
+        samples::sample(view, &receivers, self.basis.samples, &mut points);
+        let mut footprints: SmallVec<[f64; 512]> = points
+            .into_iter()
             .map(|point| {
                 let from_eye = world_from_camera * point + way;
                 let facet = self.facet(self.selection.cell(from_eye.extend(1.0)));

@@ -23,13 +23,17 @@ pub(super) fn cut(receivers: &mut Polytope, light: &Light, light_camera: DVec4, 
         let across = direction.any_orthonormal_vector();
         let up = direction.cross(across);
         let (sine, cosine) = (libm::sin(half_angle_radians), libm::cos(half_angle_radians));
+
+        // First what is far: the sides all meet in the light, and corners far away would not tell where.
+        if range.is_finite() {
+            for axis in [direction, across, -across, up, -up] {
+                receivers.cut(within(axis, range));
+            }
+        }
         for side in 0..CONE_SIDES {
             let angle = std::f64::consts::TAU * f64::from(side) / f64::from(CONE_SIDES);
             let around = across * libm::cos(angle) + up * libm::sin(angle);
             receivers.cut(within(around * cosine - direction * sine, 0.0));
-        }
-        if range.is_finite() {
-            receivers.cut(within(direction, range));
         }
     } else if range.is_finite() {
         for axis in [DVec3::X, DVec3::Y, DVec3::Z] {

@@ -48,7 +48,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     };
     let plan = |made: Made| {
         let row_to_world = |row: DVec4| (view.camera_from_world.transpose() * row.truncate()).extend(row.w);
-        let Made { choice, depth_order, facets, selection, covered, p95_pixels } = made;
+        let Made { choice, depth_order, facets, selection, covered, samples, p95_pixels } = made;
         let mut facets: Vec<Facet> = facets.into_iter().map(|facet| facet.turned(&row_to_world)).collect();
         for tile in facets.iter_mut().map(|facet| &mut facet.tile) {
             (tile.x, tile.y) = (tile.x + region.x, tile.y + region.y);
@@ -72,6 +72,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
                 receivers: covered.into_iter().map(row_to_world).collect(),
                 cut: situation.sighted.cut().clone(),
                 ground_planes,
+                samples,
                 p95_pixels,
             },
             selection: walk(selection, case, &row_to_world),
@@ -102,6 +103,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
             facets: Vec::new(),
             selection: Selection::single(),
             covered: vec![-DVec4::W],
+            samples: 0,
             p95_pixels: 0.0,
         }));
     }
@@ -116,7 +118,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
         fit::narrowed(draft.with_dominant(dominant.as_ref()), &situation)
     };
     let drafts: Vec<Draft> = drafted.map(whole).collect();
-    let samples = window::samples(&situation, &drafts);
+    let (samples, sample_count) = window::samples(&situation, &drafts);
     let mut fitted = any(drafts.iter().map(|draft| fitted::fit(draft, &situation, &samples)))?;
     if fitted.is_empty() {
         return Err(PlanError::Degenerate {
@@ -133,13 +135,20 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
     let shape = case.shape();
     let depth = finish::Depth { orders: orders(case, light_camera), shear };
     let mut finished = Vec::with_capacity(windows.list.len());
-    for (window, tile) in windows.list.iter().zip(&tiles) {
+    for (index, (window, tile)) in windows.list.iter().zip(&tiles).enumerate() {
         let cells = if window.draft.is_dominant() {
             vec![shape.cells() - 1]
         } else {
             window.draft.cells.iter().map(|cell| cell.index(shape.sectors, shape.bands)).collect()
         };
-        finished.push(finish::finish(&windows, window, *tile, cells, depth, &situation)?);
+        finished.push(finish::finish(
+            window,
+            &windows.judged(index, &situation, &samples),
+            *tile,
+            cells,
+            depth,
+            &situation,
+        )?);
     }
     let moved = |order: usize| finished.iter().map(|facet| facet.moved(order)).sum::<Option<f64>>();
     let sums = (0..depth.orders.len()).filter_map(|order| Some((order, moved(order)?)));
@@ -167,7 +176,7 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
         made_for_position: made_for(case, position),
     };
     let selection = draft.selection.clone();
-    Ok(plan(Made { choice, depth_order, facets, selection, covered, p95_pixels }))
+    Ok(plan(Made { choice, depth_order, facets, selection, covered, samples: sample_count, p95_pixels }))
 }
 
 /// What was made, in camera space, with tiles from the region's corner.
@@ -178,6 +187,8 @@ struct Made {
     selection: Selection,
     /// Half-spaces of the receivers that have a facet.
     covered: Vec<DVec4>,
+    /// Sample receivers by which it was judged.
+    samples: u32,
     p95_pixels: f64,
 }
 

@@ -2,13 +2,14 @@
 //! distribution.
 
 use glam::DVec4;
+use smallvec::smallvec;
 
 use crate::distribution::{self, DistanceRange, Piece};
 use crate::facet::Cell;
 use crate::fit;
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::remap::Curve;
-use crate::technique::{FacetDraft, Region, Situation, TileRequest};
+use crate::technique::{FacetDraft, Region, Sides, Situation, TileRequest};
 
 /// Slant up to which pieces ask for the footprint of the others.
 const STEEPEST_SLANT: f64 = 8.0;
@@ -31,24 +32,26 @@ pub(super) struct Column {
     /// How far lines of equal place across lean, at most: 1 is half a right angle.
     pub(super) slant: f64,
     /// Half-spaces that part it from its neighbours.
-    pub(super) sides: Vec<DVec4>,
+    pub(super) sides: Sides,
     /// Its receivers.
     pub(super) receivers: Polytope,
 }
 
-/// The facets of a column under the case's distribution, and the limits between them, ascending.
-pub(super) fn facets(column: &Column, situation: &Situation<'_>) -> (Vec<FacetDraft>, Vec<f64>) {
+/// Adds the facets of a column under the case's distribution; returns the limits between them, ascending.
+pub(super) fn facets(column: &Column, situation: &Situation<'_>, facets: &mut Vec<FacetDraft>) -> Vec<f64> {
     let bends = distribution::remap_kind(situation.case) != distribution::RemapKind::None;
     let range = DistanceRange { bends, ..range(column, situation) };
     let pieces = distribution::split(situation.case, &range);
     let limits = pieces.iter().skip(1).map(|piece| piece.nearest_metres).collect();
-    (split(column, &pieces), limits)
+    split(column, &pieces, facets);
+    limits
 }
 
-/// The facets of a column, one for each piece.
-pub(super) fn split(column: &Column, pieces: &[Piece]) -> Vec<FacetDraft> {
-    let facet = |(band, piece): (usize, &Piece)| {
-        let mut ends = Vec::new();
+/// Adds the facets of a column, one for each piece.
+pub(super) fn split(column: &Column, pieces: &[Piece], facets: &mut Vec<FacetDraft>) {
+    facets.reserve(pieces.len());
+    for (band, piece) in pieces.iter().enumerate() {
+        let mut ends = Sides::new();
         if band > 0 {
             ends.push(column.distance - column.unit * piece.nearest_metres);
         }
@@ -64,8 +67,8 @@ pub(super) fn split(column: &Column, pieces: &[Piece]) -> Vec<FacetDraft> {
             }
             (false, _) => (column.unit, column.distance + column.unit * piece.push_back_metres),
         };
-        FacetDraft {
-            cells: vec![Cell { half: column.half, sector: column.sector, band: band as u32 }],
+        facets.push(FacetDraft {
+            cells: smallvec![Cell { half: column.half, sector: column.sector, band: band as u32 }],
             x: column.across,
             y,
             curve: if uniform { Curve::Straight } else { piece.curve },
@@ -73,9 +76,8 @@ pub(super) fn split(column: &Column, pieces: &[Piece]) -> Vec<FacetDraft> {
             receivers: column.receivers.cut_by(&ends),
             select: column.sides.iter().chain(&ends).copied().collect(),
             region: Region::Tile(request(column, piece)),
-        }
-    };
-    pieces.iter().enumerate().map(facet).collect()
+        });
+    }
 }
 
 /// What a piece asks for: a finer footprint where its weight says so, one that grows beyond a focus. Beyond a slant texels

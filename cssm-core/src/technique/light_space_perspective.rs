@@ -9,7 +9,7 @@
 //! The authors' early notes are kept beside it, faults included: a fixed warp of 1 to 30, an up vector that divides by
 //! the light's y, and an x axis that is scaled by 30 about the eye and fitted to nothing.
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
 use super::warp::{self, LightPlane, Warp, WarpSpec, Warped};
 use super::{
@@ -124,7 +124,7 @@ fn early_notes(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, Pla
     let facet = FacetDraft::straight(
         Cell::FIRST,
         [x, y, distance],
-        (Vec::<DVec4>::new(), receivers.cut_by(&sides)),
+        (super::Sides::new(), receivers.cut_by(&sides)),
         Region::Whole(TileRequest::Share(1.0)),
     );
     let why = "the width of its map is fitted to nothing";

@@ -65,11 +65,12 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
         distance: plane.along - plane.unit * centre,
         slant: 0.0,
         unit: plane.unit,
-        sides: Vec::new(),
+        sides: super::Sides::new(),
         receivers: receivers.clone(),
     };
     let bands = distribution::pieces(situation.case);
-    let (facets, limits) = columns::facets(&column, situation);
+    let mut facets = Vec::new();
+    let limits = columns::facets(&column, situation, &mut facets);
     let mut selection = Selection::around(1, bands);
     if bands > 1 {
         selection.distances.push(column.distance);

@@ -3,6 +3,8 @@
 
 use glam::DVec4;
 
+use super::Sides;
+
 use crate::case::{CaseError, LightCase};
 use crate::facet::Selection;
 use crate::receivers::DEPTH_ROW;
@@ -66,7 +68,7 @@ pub(super) fn check(case: &LightCase) -> Vec<CaseError> {
 }
 
 /// Half-spaces of a slab's own receivers. A slab does not contain the light, so no caster may be cut with them.
-pub(super) fn select(limits_metres: &[f64], slab: usize) -> Vec<DVec4> {
+pub(super) fn select(limits_metres: &[f64], slab: usize) -> Sides {
     let farther = slab.checked_sub(1).and_then(|before| limits_metres.get(before));
     let farther = farther.map(|limit| DEPTH_ROW - DVec4::W * *limit);
     let nearer = limits_metres.get(slab).map(|limit| DVec4::W * *limit - DEPTH_ROW);

@@ -45,7 +45,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
         facets: vec![FacetDraft::straight(
             Cell::FIRST,
             [x, y, DVec4::W],
-            (Vec::new(), situation.receivers.clone()),
+            (super::Sides::new(), situation.receivers.clone()),
             Region::Tile(TileRequest::Share(1.0)),
         )],
     }])

@@ -206,6 +206,6 @@ pub(super) fn single(
         complete: true,
         fallback,
         selection: Selection::single(),
-        facets: vec![FacetDraft::straight(Cell::FIRST, rows, (Vec::new(), receivers), region)],
+        facets: vec![FacetDraft::straight(Cell::FIRST, rows, (super::Sides::new(), receivers), region)],
     }
 }

@@ -84,6 +84,7 @@ fn plan(facets: Vec<Facet>) -> ShadowPlan {
             cut: Cut::None,
             lit: Vec::new(),
             ground_planes: [None; 4],
+            samples: 0,
             p95_pixels: 1.0,
         },
         selection: Selection::single(),

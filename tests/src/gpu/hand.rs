@@ -97,6 +97,7 @@ pub fn plan_from_above(view: &View, half: f64, top: f64, bottom: f64) -> ShadowP
             cut: Cut::None,
             lit: Vec::new(),
             ground_planes: [None; 4],
+            samples: 0,
             p95_pixels: 1.0,
         },
         selection: Selection::single(),

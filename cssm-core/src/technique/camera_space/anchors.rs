@@ -2,11 +2,12 @@
 //! 1.4).
 
 use glam::{DVec2, DVec3, DVec4};
+use smallvec::SmallVec;
 
 use crate::facet::Cell;
 use crate::receivers::Polytope;
 use crate::remap::Curve;
-use crate::technique::{FacetDraft, Region, TileRequest};
+use crate::technique::{FacetDraft, Region, Sides, TileRequest};
 
 /// Three homogeneous points, which may lie at infinity, and where each goes in a square.
 #[derive(Debug, Clone, Copy)]
@@ -51,10 +52,10 @@ impl Anchors {
     /// the anchors do not span space.
     pub(super) fn facet(
         &self,
-        cells: Vec<Cell>,
+        cells: SmallVec<[Cell; 4]>,
         square: u32,
         light: DVec3,
-        own: (Vec<DVec4>, &Polytope),
+        own: (Sides, &Polytope),
     ) -> Option<FacetDraft> {
         let (select, receivers) = own;
         let rows = barycentric(self.points, light)?;

@@ -5,6 +5,7 @@
 //! view axis part four sectors; in each of these the face before or behind is told from the one at the side.
 
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
 use crate::case::LightKind;
 use crate::facet::{Cell, FacetShape, Selection};
@@ -12,7 +13,7 @@ use crate::plan::PlanError;
 use crate::receivers::DEPTH_ROW;
 use crate::remap::Curve;
 use crate::schema::{Choice, Word};
-use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TileRequest};
+use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Sides, Situation, TileRequest};
 
 /// Faces around the view axis.
 const SECTORS: u32 = 4;
@@ -72,12 +73,12 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
 }
 
 /// The projection through the face with an outward axis.
-fn face(situation: &Situation<'_>, axis: DVec3, up: DVec3, cells: Vec<Cell>) -> FacetDraft {
+fn face(situation: &Situation<'_>, axis: DVec3, up: DVec3, cells: SmallVec<[Cell; 4]>) -> FacetDraft {
     let light = situation.light.truncate();
     let from_light = |axis: DVec3| axis.extend(-axis.dot(light));
     let right = axis.cross(up);
     let sides = [axis + right, axis - right, axis + up, axis - up];
-    let select: Vec<DVec4> = sides.map(|side| from_light(side.normalize())).to_vec();
+    let select: Sides = sides.map(|side| from_light(side.normalize())).into_iter().collect();
     FacetDraft {
         cells,
         x: from_light(right),

@@ -17,6 +17,7 @@
 //! the form of a tetrahedron, which the same shader serves.
 
 use glam::{DVec2, DVec3, DVec4};
+use smallvec::smallvec;
 
 use super::anchors::{Anchors, barycentric};
 use super::tetrahedron;
@@ -136,7 +137,7 @@ impl Bipyramid {
             let (one, two) = (face.corner, (face.corner + 1) % 4);
             let edge = [equator[one].extend(1.0), equator[two].extend(1.0)];
             let images = [ndc(tangents[one]), ndc(tangents[two])];
-            let cell = |band: u32| vec![Cell::of(sector as u32, band)];
+            let cell = |band: u32| smallvec![Cell::of(sector as u32, band)];
             let front = Anchors {
                 points: [front.extend(1.0), edge[0], edge[1]],
                 weights: [front_depth, equator_depth, equator_depth],

@@ -27,7 +27,7 @@ use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Word};
 use crate::technique::columns::{self, Column};
 use crate::technique::side_faces::{self, Course, SideFace};
-use crate::technique::{ConfigurationSpec, Draft, Situation};
+use crate::technique::{ConfigurationSpec, Draft, Sides, Situation};
 
 /// A frustum has four side faces.
 const SECTORS: u32 = 4;
@@ -70,7 +70,8 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let corners = situation.view.corner_tangents().map(|(x, y)| DVec3::new(x, y, -1.0));
     let bands = distribution::pieces(situation.case);
     let mut selection = Selection { split, ..Selection::around(SECTORS, bands) };
-    let (mut facets, mut complete) = (Vec::new(), true);
+    let most = halves.len() * SECTORS as usize * bands as usize;
+    let (mut facets, mut complete) = (Vec::with_capacity(most), true);
     for (half, (course, side)) in halves.iter().enumerate() {
         let faces = side_faces::entered_first(DVec3::ZERO, corners, light, *course);
         let half_space = split.map(|split| split * *side);
@@ -87,7 +88,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
                 }
                 continue;
             };
-            let sides: Vec<DVec4> = face.sides().into_iter().chain(half_space).collect();
+            let sides: Sides = face.sides().into_iter().chain(half_space).collect();
             let unrolled = if light.w == 0.0 { Unrolled::of(face) } else { Unrolled::plain(face) };
             let column = Column {
                 half: half as u32,
@@ -99,8 +100,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
                 receivers: situation.receivers.cut_by(&sides),
                 sides,
             };
-            let (drafts, limits) = columns::facets(&column, situation);
-            facets.extend(drafts);
+            let limits = columns::facets(&column, situation, &mut facets);
 
             // The outer borders of a run that does not close are the frustum's own silhouette: nothing is past them.
             let closed = faces.len() == SECTORS as usize;

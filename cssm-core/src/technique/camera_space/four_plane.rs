@@ -23,7 +23,7 @@ use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::schema::{Choice, Default, Field, Kind, Word};
 use crate::technique::columns;
 use crate::technique::side_faces::{self, Course, SideFace};
-use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TileRequest};
+use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Sides, Situation, TileRequest};
 
 /// A square has four triangles.
 const SECTORS: u32 = 4;
@@ -178,7 +178,7 @@ impl Triangle<'_> {
         let y = at_tip * self.tip.y + s * one.y + t * two.y;
         let region =
             Region::Triangle { square: 0, request: TileRequest::Footprint, corners: [self.tip, one, two] };
-        let own = (sides.to_vec(), receivers.cut_by(&sides));
+        let own = (Sides::from_slice(&sides), receivers.cut_by(&sides));
         FacetDraft::straight(Cell::of(sector, 0), [x, y, at_tip + s + t], own, region)
     }
 }
@@ -187,12 +187,14 @@ impl Triangle<'_> {
 fn on_one_plane(situation: &Situation<'_>, focus: f64) -> Draft {
     let column = one_plane::column(situation);
     let piece = distribution::perspective_piece(focus, EVEN_SHARE, &columns::range(&column, situation));
+    let mut facets = Vec::new();
+    columns::split(&column, &[piece], &mut facets);
     Draft {
         configuration: SPEC.choice.name,
         form: "on one plane",
         complete: one_plane::is_complete(&column, situation),
         fallback: None,
         selection: Selection::single(),
-        facets: columns::split(&column, &[piece]),
+        facets,
     }
 }

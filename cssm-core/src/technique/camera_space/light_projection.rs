@@ -1,13 +1,13 @@
 //! Light projection: one plain projection from a spot light along its cone, fitted to what is visible of it. It is as good
 //! as any map while the light stands near the camera or before it (camera space shadow maps, section 6.2).
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
 use crate::case::LightKind;
 use crate::facet::{Cell, FacetShape, Selection};
 use crate::plan::PlanError;
 use crate::schema::{Choice, Word};
-use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TileRequest};
+use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Sides, Situation, TileRequest};
 
 pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     choice: Choice::plain("light_projection", "one plain projection along a spot light's cone"),
@@ -30,7 +30,7 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let facet = FacetDraft::straight(
         Cell::FIRST,
         [from_light(across), from_light(across.cross(along)), from_light(along)],
-        (Vec::<DVec4>::new(), situation.receivers.clone()),
+        (Sides::new(), situation.receivers.clone()),
         Region::Tile(TileRequest::Footprint),
     );
     Ok(vec![Draft {

@@ -14,6 +14,7 @@
 //! still answers, badly.
 
 use glam::DVec4;
+use smallvec::smallvec;
 
 use crate::case::LightKind;
 use crate::distribution;
@@ -24,7 +25,7 @@ use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::samples::SAMPLED_HORIZON_METRES;
 use crate::schema::{Choice, Word};
 use crate::technique::columns::{self, Column};
-use crate::technique::{ConfigurationSpec, Draft, Situation};
+use crate::technique::{ConfigurationSpec, Draft, Sides, Situation};
 
 /// Share of a point light's own distance from the plane that receivers must lie below it.
 const SMALLEST_UNIT: f64 = 1e-3;
@@ -42,7 +43,8 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let column = column(situation);
     let complete = is_complete(&column, situation);
     let bands = distribution::pieces(situation.case);
-    let (facets, limits) = columns::facets(&column, situation);
+    let mut facets = Vec::new();
+    let limits = columns::facets(&column, situation, &mut facets);
     let mut selection = Selection::around(1, bands);
     if bands > 1 {
         selection.distances.push(column.distance);
@@ -93,11 +95,11 @@ pub(super) fn column(situation: &Situation<'_>) -> Column {
 
     // Receivers that do not lie below a point light cannot be moved onto the plane.
     let (sides, receivers) = if light.w > 0.0 {
-        let below = vec![unit - DVec4::W * SMALLEST_UNIT];
+        let below: Sides = smallvec![unit - DVec4::W * SMALLEST_UNIT];
         let receivers = situation.receivers.cut_by(&below);
         (below, receivers)
     } else {
-        (Vec::new(), situation.receivers.clone())
+        (Sides::new(), situation.receivers.clone())
     };
     Column {
         half: 0,

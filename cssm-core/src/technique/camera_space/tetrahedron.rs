@@ -5,6 +5,7 @@
 //! is near. Three faces meet in it and are parted by half-planes around that axis, the fourth lies behind all three.
 
 use glam::{DVec2, DVec3};
+use smallvec::smallvec;
 
 use super::anchors::{Anchors, barycentric};
 use crate::case::LightKind;
@@ -12,7 +13,7 @@ use crate::facet::{Cell, FacetShape, Selection};
 use crate::light::LightPosition;
 use crate::plan::PlanError;
 use crate::schema::{Choice, Word};
-use crate::technique::{ConfigurationSpec, Draft, Situation};
+use crate::technique::{ConfigurationSpec, Draft, Sides, Situation};
 
 /// Faces around the axis.
 const SECTORS: u32 = 3;
@@ -66,8 +67,8 @@ pub(super) fn around(situation: &Situation<'_>) -> Option<Draft> {
         };
         let [toward_tip, ..] = barycentric(face.points, light)?;
         let toward_tip = toward_tip / toward_tip.truncate().length();
-        let sides = vec![past(one), -past(two), toward_tip];
-        let cells = vec![Cell::of(sector as u32, 0)];
+        let sides = smallvec![past(one), -past(two), toward_tip];
+        let cells = smallvec![Cell::of(sector as u32, 0)];
         facets.push(face.facet(cells, 0, light, (sides, &situation.receivers))?);
         selection.borders.push(past(one));
         selection.distances.push(-toward_tip);
@@ -75,7 +76,7 @@ pub(super) fn around(situation: &Situation<'_>) -> Option<Draft> {
     }
 
     // The base behind them.
-    let behind = selection.distances.clone();
+    let behind = Sides::from_slice(&selection.distances);
     let face = Anchors { points: base.map(at), weights: [1.0; 3], targets: square(3), share: 1.0 };
     let cells = (0..SECTORS).map(|sector| Cell::of(sector, 1)).collect();
     facets.push(face.facet(cells, 0, light, (behind, &situation.receivers))?);

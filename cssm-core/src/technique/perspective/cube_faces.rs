@@ -8,6 +8,7 @@
 //! one that comes into the light's view begins with none and nothing pops. For a local light in the view both rectangles are there, parted by the light's own depth.
 
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
 use super::post_space::slide_back;
 use crate::case::{LightCase, LightKind};
@@ -18,7 +19,7 @@ use crate::receivers::DEPTH_ROW;
 use crate::remap::Curve;
 use crate::schema::{Choice, Word};
 use crate::technique::side_faces::{self, Course, SideFace};
-use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Situation, TileRequest};
+use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Sides, Situation, TileRequest};
 
 pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     choice: Choice::plain("cube_faces", "the view's planes by which rays leave it, each with a tile"),
@@ -137,7 +138,7 @@ impl Faces<'_> {
     /// The facet of an end rectangle.
     fn end(&self, end: &End) -> FacetDraft {
         let cells = (0..SECTORS).map(|sector| Cell { half: end.half, sector, band: 0 }).collect();
-        let select: Vec<DVec4> = end.edges.iter().map(|edge| -*edge).chain(end.part).collect();
+        let select: Sides = end.edges.iter().map(|edge| -*edge).chain(end.part).collect();
         self.facet(cells, end.plane, [DVec4::X, DVec4::Y], select)
     }
 
@@ -147,12 +148,12 @@ impl Faces<'_> {
         let plane = (-one.cross(two).normalize()).extend(0.0);
         let along = (two - one).extend(0.0);
         let cells = ends.iter().map(|end| Cell { half: end.half, sector: index as u32, band: 1 }).collect();
-        let select: Vec<DVec4> = ends.iter().map(|end| end.edges[index]).chain(side.sides()).collect();
+        let select: Sides = ends.iter().map(|end| end.edges[index]).chain(side.sides()).collect();
         self.facet(cells, plane, [along, DVec4::W], select)
     }
 
     /// The facet of receivers moved along the light onto a plane; `rows` are two axes of the plane, over depth.
-    fn facet(&self, cells: Vec<Cell>, plane: DVec4, rows: [DVec4; 2], select: Vec<DVec4>) -> FacetDraft {
+    fn facet(&self, cells: SmallVec<[Cell; 4]>, plane: DVec4, rows: [DVec4; 2], select: Sides) -> FacetDraft {
         let light = self.situation.light;
         let toward = plane.dot(light);
         // The light stands on the plane's inner side, wherever that is.

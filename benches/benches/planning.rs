@@ -1,4 +1,5 @@
-//! Criterion's view of the work on the CPU: planning every declaration that ships, and building a capture's commands.
+//! Criterion's view of the work on the CPU: planning every declaration that ships, holding its plan, and building a capture's
+//! commands.
 
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -12,7 +13,7 @@ use cssm_lab::scene::Scene;
 
 fn main() -> ExitCode {
     let mut criterion = Criterion::default().configure_from_args();
-    if let Err(error) = planning(&mut criterion).and_then(|()| commands(&mut criterion)) {
+    if let Err(error) = run(&mut criterion) {
         eprintln!("planning: {error}");
         return ExitCode::FAILURE;
     }
@@ -20,11 +21,27 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
+fn run(criterion: &mut Criterion) -> Result<(), BenchError> {
+    planning(criterion)?;
+    holding(criterion)?;
+    commands(criterion)
+}
+
 fn planning(criterion: &mut Criterion) -> Result<(), BenchError> {
     let mut group = criterion.benchmark_group("plan");
     for job in plan_jobs(&Scene::palm())? {
         job.run()?;
         group.bench_function(&job.name, |bencher| bencher.iter(|| black_box(&job).run()));
+    }
+    group.finish();
+    Ok(())
+}
+
+fn holding(criterion: &mut Criterion) -> Result<(), BenchError> {
+    let mut group = criterion.benchmark_group("hold");
+    for job in plan_jobs(&Scene::palm())? {
+        let mut held = job.held()?;
+        group.bench_function(&job.name, |bencher| bencher.iter(|| black_box(held())));
     }
     group.finish();
     Ok(())

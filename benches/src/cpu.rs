@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use cssm_core::{Light, LightCase, PlanError, SceneBounds, ShadowPlan, View, plan};
+use cssm_core::{Light, LightCase, PlanError, PlanRequest, SceneBounds, ShadowPlan, View, ViewMargin, plan};
 use cssm_lab::case_file::pick_case;
 use cssm_lab::gpu::{Gpu, SceneBuffers};
 use cssm_lab::scene::Scene;
@@ -35,6 +35,26 @@ impl PlanJob {
     /// What planning says.
     pub fn run(&self) -> Result<ShadowPlan, PlanError> {
         plan(&self.case, &self.view, &self.light, &self.bounds)
+    }
+
+    /// What a frame does with a plan that it holds: brings it to an eye a centimetre away, asks whether it covers what is seen
+    /// and how good it is.
+    ///
+    /// # Errors
+    /// What planning says.
+    pub fn held(&self) -> Result<impl FnMut() -> Option<f64> + '_, PlanError> {
+        let request = PlanRequest::new(&self.case, &self.view, &self.light, self.bounds);
+        let margin = ViewMargin { turn_radians: 0.0, move_metres: 0.05 };
+        let mut held = PlanRequest { margin, ..request }.plan()?;
+        let mut frame = 0_u8;
+        Ok(move || {
+            frame = 1 - frame;
+            let mut view = self.view;
+            view.eye_world.x += 0.01 * f64::from(frame);
+            held.rebase(&view);
+            let covers = held.covers(&PlanRequest { view: &view, ..request });
+            covers.then(|| held.p95_pixels(&view))
+        })
     }
 }
 

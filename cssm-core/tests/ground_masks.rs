@@ -175,7 +175,7 @@ fn lit_ground_stays_lit_and_umbrae_dark() {
     for scene in scenes() {
         let mut random = Random::new(5);
         let (mut lit, mut dark) = (0, 0);
-        for _ in 0..20_000 {
+        for _ in 0..14_000 {
             let metres = 60.0 * random.between(-1.0, 1.0).powi(3);
             let point = scene.awning.ground(scene.plan.light, random.between(0.0, 100.0), metres);
             let per_metre = scene.texels_per_metre(point).filter(|_| scene.is_seen(point));

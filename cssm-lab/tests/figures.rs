@@ -15,6 +15,8 @@ const STEPS: u32 = 90;
 const FINER: u32 = 32;
 /// Share of the steepest step's change that one finer step may have: a jump would have all of it.
 const SMOOTH: f64 = 0.25;
+/// The same where facets share the map, each sized by itself.
+const SMOOTH_SHARED: f64 = 0.36;
 
 /// Changes of the share below this are flat, whatever whole texels make of them.
 const FLAT: f64 = 0.05;
@@ -41,7 +43,8 @@ fn focus_regions_change_smoothly_and_are_small_where_frusta_duel() {
         let jump = jump(&|degrees| share(&case, degrees));
         let [behind, beside, ahead] = [0.0, 90.0, 180.0].map(|degrees| share(&case, degrees));
         println!("{name}: {behind:.3} behind, {beside:.3} beside, {ahead:.3} ahead, jump {jump:.3}");
-        assert!(jump < SMOOTH, "{name}: {jump}");
+        let smooth = if case.shape().cells() == 1 { SMOOTH } else { SMOOTH_SHARED };
+        assert!(jump < smooth, "{name}: {jump}");
         assert!(beside > LARGE, "{name}: {beside}");
         if case.shape().cells() == 1 {
             assert!(behind < SMALL && ahead < SMALL, "{name}: {behind} {ahead}");

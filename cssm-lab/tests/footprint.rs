@@ -61,7 +61,7 @@ const KNOWN: [(&str, &str, &str, f64); 28] = [
     ("face_columns_log_folded", "dueling", "util", 1.15),
     ("face_columns_8", "general", "median", 1.10),
     ("face_columns_8", "general", "ground50", 1.14),
-    ("face_columns_8", "general", "ground95", 1.26),
+    ("face_columns_8", "general", "ground95", 1.29),
     ("face_columns_8", "general", "util", 1.26),
     ("face_columns_8", "border", "ground95", 1.25),
     ("face_columns_8", "dueling", "util", 1.28),

@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use cssm_core::case::{FarKind, LightCase, LightKind};
+use cssm_core::case::{FarKind, LightCase, LightKind, Stability};
 use cssm_core::distribution::RemapKind;
 use cssm_core::glam::DVec3;
 use cssm_core::plan::WorldPlane;
@@ -92,6 +92,8 @@ fn planned(case: &LightCase, yard: &Yard, view: &View, light: usize) -> Option<S
     match plan(case, view, &lights(case.light)[light], &bounds) {
         Ok(plan) if !foreign => Some(plan),
         Err(PlanError::InfiniteView) if foreign => None,
+        // A lattice of orientations so coarse that a view around all nearby sees more than half of space.
+        Err(PlanError::Margin(_)) if matches!(case.stability, Stability::Quantised { .. }) => None,
         Err(PlanError::MapTooSmall { width, height, gutter, .. }) => {
             assert_eq!((width, height, gutter), (case.map.width, case.map.height, case.gutter_texels()));
             None

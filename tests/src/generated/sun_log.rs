@@ -2035,7 +2035,7 @@ fn sun_log_sector_index(position: vec3<f32>) -> u32 {
     let point = vec4<f32>(position, 1.0);
 
     // Walk forwards from the ring's start up to the first border that is not passed, and backwards from its end down to
-    // the first that is. Both at once, without a branch, take less than either.
+    // the first that is: both at once, without a branch.
     var is_ahead = 1u;
     var forwards = 0u;
     var backwards = 0u;
@@ -2367,7 +2367,7 @@ fn sun_log_sector_index(position: vec3<f32>) -> u32 {
     let point = vec4<f32>(position, 1.0);
 
     // Walk forwards from the ring's start up to the first border that is not passed, and backwards from its end down to
-    // the first that is. Both at once, without a branch, take less than either.
+    // the first that is: both at once, without a branch.
     var is_ahead = 1u;
     var forwards = 0u;
     var backwards = 0u;

@@ -1,5 +1,7 @@
 //! From object space to the eye, in f64: rows in camera axes for the device, boxes in world axes for culling.
 
+use std::ops::Range;
+
 use cssm_core::BoundingBox;
 use cssm_core::glam::{DAffine3, DMat3, DVec3, DVec4};
 
@@ -66,6 +68,12 @@ impl CentredBox {
     }
 }
 
+/// Cosines between the normals of half-spaces whose edge is sharp: from opposite ones, whose sum is but rounding, to an
+/// edge of about 75 degrees.
+const SHARP_COSINES: Range<f64> = -0.9999..-0.25;
+/// Weights of two half-spaces in the sums that are tested beside a sharp edge.
+const SUM_WEIGHTS: [[f64; 2]; 3] = [[1.0, 1.0], [1.0, 2.0], [2.0, 1.0]];
+
 /// A half-space of [`cssm_core::facet::Facet::casters`], ready to be tested against boxes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct HalfSpace {
@@ -87,6 +95,26 @@ impl HalfSpace {
     pub(crate) fn new(plane: DVec4) -> Self {
         let normal = plane.truncate();
         Self { normal, absolute_normal: normal.abs(), offset: plane.w }
+    }
+
+    /// The same half-space with distances in metres; one without a normal stays as it is.
+    pub(crate) fn in_metres(self) -> Self {
+        let length = self.normal.length();
+        if length == 0.0 {
+            return self;
+        }
+        let Self { normal, absolute_normal, offset } = self;
+        Self { normal: normal / length, absolute_normal: absolute_normal / length, offset: offset / length }
+    }
+
+    /// Sums of two half-spaces of unit length, if their edge is sharp. What lies in both lies in every sum; a box beyond
+    /// the edge may lie outside neither, but outside a sum.
+    pub(crate) fn sums_beside_sharp_edge(self, other: Self) -> impl Iterator<Item = Self> {
+        let is_sharp = SHARP_COSINES.contains(&self.normal.dot(other.normal));
+        SUM_WEIGHTS.into_iter().filter(move |_| is_sharp).map(move |[own, others]| {
+            let normal = self.normal * own + other.normal * others;
+            Self { normal, absolute_normal: normal.abs(), offset: self.offset * own + other.offset * others }
+        })
     }
 
     /// The same half-space in the space of an instance's own positions.

@@ -152,8 +152,8 @@ fn facets_draw_few_triangles_of_large_meshes() {
         (fused(&pavilion), [(0.09, 400), (0.3, 60)]),
         (fused(&city), [(0.03, 270), (0.12, 70)]),
         (palm, [(1.0, 57), (1.0, 18)]),
-        (pavilion, [(0.85, 270), (0.97, 50)]),
-        (city, [(0.97, 170), (1.0, 45)]),
+        (pavilion, [(0.87, 270), (0.97, 50)]),
+        (city, [(0.98, 170), (1.0, 45)]),
         (Scene::forest(), [(1.0, 555), (1.0, 190)]),
     ];
     for (scene, limits) in &scenes {

@@ -16,7 +16,7 @@ use shaders_gen::shipped;
 const SIZE: (u32, u32) = (1280, 720);
 const CASES: [(&str, &str); 2] = [("Sun", shipped::SUN), ("Pssm4Log", shipped::PSSM4_LOG)];
 /// Multiple of the triangles that touch a facet that it may draw, besides a cluster for each boundary.
-const FACTOR: f64 = 1.4;
+const FACTOR: f64 = 1.3;
 
 /// A scene's meshes in clusters.
 fn clustered(scene: &Scene) -> Vec<ClusteredTriangles> {

@@ -25,7 +25,7 @@ impl FacetReach {
     pub(super) fn begin(&mut self, plan: &ShadowPlan, facet: &Facet) {
         self.eye_world = plan.eye_world;
         self.planes.clear();
-        self.planes.extend(facet.casters.iter().map(|plane| HalfSpace::new(*plane)));
+        self.planes.extend(facet.casters.iter().map(|plane| HalfSpace::new(*plane).in_metres()));
         for subset in [&mut self.near, &mut self.cutting] {
             subset.clear();
             subset.reserve(self.planes.capacity());
@@ -65,6 +65,18 @@ impl FacetReach {
         }
         self.near.clear();
         self.near.extend(self.planes.iter().filter(|plane| plane.side(&bounds) == Side::Crossing));
+
+        // Test what is left beside sharp edges.
+        let crossing = self.near.len();
+        for (one, other) in (0..crossing).flat_map(|one| (0..one).map(move |other| (one, other))) {
+            for sum in self.near[one].sums_beside_sharp_edge(self.near[other]) {
+                match sum.side(&bounds) {
+                    Side::Outside => return None,
+                    Side::Crossing => self.near.push(sum),
+                    Side::Inside => {}
+                }
+            }
+        }
         Some(&self.near)
     }
 

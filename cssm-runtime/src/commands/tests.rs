@@ -149,7 +149,7 @@ fn neighbours_are_refused_together_but_none_too_many() {
         })
         .collect();
     let mut slanted = facet(0, 5.0, 20.0);
-    slanted.casters.push(DVec4::new(0.5, -1.0, 0.25, 12.3));
+    slanted.casters.push(DVec4::new(0.25, -1.0, 0.25, 12.3));
     let facets = vec![facet(0, 0.0, 10.0), slanted, facet(2, 39.0, 50.0)];
     let (frame, statistics) = FrameCommands::build(&plan(facets.clone()), &casters, facts).unwrap();
     for (facet, counts) in facets.iter().zip(&statistics.facets) {
@@ -161,6 +161,26 @@ fn neighbours_are_refused_together_but_none_too_many() {
         assert!((20..500).contains(&counts.instances), "{} of 600", counts.instances);
     }
     assert_eq!(frame.rows.len() as u64, statistics.instances);
+}
+
+#[test]
+fn boxes_beyond_a_sharp_edge_are_refused() {
+    // The wedge |y| <= x / 4: boxes before its edge cross both half-spaces for some length.
+    let mut wedge = facet(0, 0.0, 1.0);
+    wedge.casters = vec![DVec4::new(0.5, 2.0, 0.0, 0.0), DVec4::new(1.0, -4.0, 0.0, 0.0)];
+    let at = |x: f64, y: f64| CasterInstance {
+        mesh: handle(0),
+        world_from_object: DAffine3::from_translation(EYE + DVec3::new(x, y, 0.0)),
+    };
+    let is_drawn =
+        |caster| FrameCommands::build(&plan(vec![wedge.clone()]), &[caster], facts).unwrap().1.instances == 1;
+    assert!(
+        wedge.reached_by(&BoundingBox { min: DVec3::new(-4.9, -1.0, -1.0), max: DVec3::new(-2.9, 1.0, 1.0) })
+    );
+    assert!(!is_drawn(at(-3.9, 0.0)) && !is_drawn(at(-1.01, 0.0)));
+
+    // What touches the wedge is drawn, on its sides too.
+    assert!(is_drawn(at(-0.99, 0.0)) && is_drawn(at(4.0, 2.2)) && !is_drawn(at(4.0, 2.3)));
 }
 
 #[test]

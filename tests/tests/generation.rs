@@ -15,7 +15,10 @@ use naga::valid::Capabilities;
 #[path = "support/judge.rs"]
 mod judge;
 
-use judge::{capabilities, judge, passes_spirv_val, spirv_val, spirv_val_is_there, with_stage};
+use judge::{
+    capabilities, judge, passes_spirv_val, passes_tint, spirv_val, spirv_val_is_there, tint, tint_is_there,
+    with_stage,
+};
 
 /// Shipped declaration files, and what the tests crate has compiled from each.
 fn shipped() -> [(&'static str, &'static CaseTable, LightCase); 11] {
@@ -173,7 +176,7 @@ fn the_rust_builder_gives_the_same_bytes() {
 fn random_declarations_emit_valid_minimal_modules() {
     const SEED: u64 = 0x5eed;
     const CASES: usize = 500;
-    let mut words = BTreeSet::new();
+    let (mut words, mut texts) = (BTreeSet::new(), BTreeSet::new());
     for case in random::cases(SEED, CASES) {
         let generated = generate(&case).unwrap_or_else(|error| panic!("{error}\n{}", dsl::print(&case)));
         for shader in generated.table.shaders.iter() {
@@ -182,6 +185,7 @@ fn random_declarations_emit_valid_minimal_modules() {
                 Ok(written) => words.insert(written),
                 Err(error) => panic!("{}: {error}\n{}\n{text}", shader.kind.name(), dsl::print(&case)),
             };
+            texts.insert(text);
             if !shader.spirv.is_empty() {
                 words.insert(shader.spirv.to_vec());
             }
@@ -189,6 +193,7 @@ fn random_declarations_emit_valid_minimal_modules() {
     }
     println!("{CASES} cases, {} different modules", words.len());
     spirv_val(&words.into_iter().collect::<Vec<_>>());
+    tint(&texts.into_iter().collect::<Vec<_>>());
 }
 
 #[test]
@@ -208,6 +213,12 @@ fn the_judges_of_the_random_test_catch_mutants() {
         let at = mutant.chunks(4).position(|word| word == [0x81, 0x00, 0x05, 0x00]).unwrap();
         mutant[4 * at + 4] = mutant[4 * at + 4].wrapping_add(1);
         assert!(!passes_spirv_val(&mutant, &tempfile::tempdir().unwrap().path().join("mutant.spv")));
+    }
+    if tint_is_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("mutant.wgsl");
+        assert!(passes_tint(text, &path));
+        assert!(!passes_tint(&text.replace("receiver.gradient", "receiver.texels"), &path));
     }
 }
 

@@ -1,6 +1,7 @@
 //! `cargo xtask validate`: what developers look at before they hand in.
 
 use std::fs;
+use std::path::PathBuf;
 use std::process::Command;
 
 use crate::failure::{Failure, at};
@@ -37,7 +38,8 @@ fn dependencies(steps: &mut Steps) -> Result<(), Failure> {
     steps.run("dependencies", deny.args(["deny", "--workspace", "check"]))
 }
 
-/// Emits every shipped case, which naga validates, and hands the SPIR-V to spirv-val.
+/// Emits every shipped case, which naga validates, and hands the SPIR-V to spirv-val, and the WGSL to Tint where it is
+/// installed. Modules without a stage are left to the tests, which give them one.
 fn shaders(steps: &mut Steps) -> Result<(), Failure> {
     let cases = cases(steps.root())?;
     let out = scratch("validate")?;
@@ -57,5 +59,23 @@ fn shaders(steps: &mut Steps) -> Result<(), Failure> {
         return Err(Failure::Step { title: "spirv-val (no module was emitted)".into() });
     }
     println!("> {} cases, {modules} SPIR-V modules valid", cases.len());
+
+    if Command::new("tint").arg("--help").output().is_err() {
+        println!("> Tint: SKIPPED, tint is not installed (build it from Dawn's sources)");
+        return Ok(());
+    }
+    let mut texts = 0;
+    let is_whole = |path: &&PathBuf| {
+        path.to_str().is_some_and(|path| path.ends_with(".wgsl") && !path.ends_with(".function.wgsl"))
+    };
+    for path in entries.iter().filter(is_whole) {
+        let mut reader = Command::new("tint");
+        steps.quiet(
+            "Tint",
+            reader.args(["--format", "wgsl", "--output-name"]).arg(path.with_extension("tint")).arg(path),
+        )?;
+        texts += 1;
+    }
+    println!("> {texts} WGSL modules accepted by Tint");
     Ok(())
 }

@@ -1,4 +1,5 @@
-//! The second judge of generated modules: naga with options that the generator does not use, compaction, spirv-val.
+//! The other judges of generated modules: naga with options that the generator does not use, compaction, spirv-val, and
+//! Tint, which reads WGSL for Chromium.
 
 use std::path::Path;
 use std::process::Command;
@@ -81,6 +82,48 @@ pub(crate) fn spirv_val(modules: &[Vec<u8>]) {
 pub(crate) fn passes_spirv_val(module: &[u8], path: &Path) -> bool {
     std::fs::write(path, module).unwrap();
     let output = Command::new("spirv-val").args(["--target-env", "vulkan1.1"]).arg(path).output().unwrap();
+    if !output.status.success() {
+        eprintln!("{}", String::from_utf8_lossy(&output.stdout));
+        eprintln!("{}", String::from_utf8_lossy(&output.stderr));
+    }
+    output.status.success()
+}
+
+pub(crate) fn tint_is_there() -> bool {
+    let there = Command::new("tint").arg("--help").output().is_ok();
+    if !there {
+        eprintln!("SKIPPED: tint is not installed; build it from Dawn's sources");
+    }
+    there
+}
+
+/// Runs Tint over the text of every module, on as many threads as there are cores.
+pub(crate) fn tint(modules: &[String]) {
+    if !tint_is_there() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for thread in 0..threads {
+            let path = folder.path().join(format!("{thread}.wgsl"));
+            scope.spawn(move || {
+                for module in modules.iter().skip(thread).step_by(threads) {
+                    assert!(passes_tint(module, &path), "Tint refuses a module\n{module}");
+                }
+            });
+        }
+    });
+}
+
+pub(crate) fn passes_tint(wgsl: &str, path: &Path) -> bool {
+    std::fs::write(path, wgsl).unwrap();
+    let output = Command::new("tint")
+        .args(["--format", "wgsl", "--output-name"])
+        .arg(path.with_extension("out"))
+        .arg(path)
+        .output()
+        .unwrap();
     if !output.status.success() {
         eprintln!("{}", String::from_utf8_lossy(&output.stdout));
         eprintln!("{}", String::from_utf8_lossy(&output.stderr));

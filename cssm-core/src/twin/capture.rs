@@ -43,10 +43,11 @@ fn draw(
     is_solid: impl Fn(DVec3) -> bool,
 ) {
     let rows = &facet.rows;
-    let corners = triangle.map(|corner| {
+    let placed = |corner: DVec3| {
         let point = corner.extend(1.0);
         DVec4::new(rows.x.dot(point), rows.y.dot(point), rows.z.dot(point), rows.w.dot(point))
-    });
+    };
+    let corners = [placed(triangle[0]), placed(triangle[1]), placed(triangle[2])];
 
     // Bent rows are straight in k = y/w: all is decided there, and only the rows of texel centres are bent.
     let remap = &rows.remap;
@@ -104,7 +105,7 @@ fn draw(
         while column <= last {
             let x = 2.0 * (column + 0.5) / width - 1.0;
             let centre = DVec3::new(x, y, 1.0);
-            let weights = DVec3::from(edges.map(|edge| edge.dot(centre)));
+            let weights = DVec3::new(edges[0].dot(centre), edges[1].dot(centre), edges[2].dot(centre));
             if !is_solid(weights / weights.element_sum()) {
                 column += 1.0;
                 continue;

@@ -342,7 +342,7 @@ fn reserved_names(table: &CaseTable, case: &LightCase) -> Vec<String> {
     let declared = |source: &str| -> Vec<String> {
         wgsl::declarations(source).iter().map(|declaration| declaration.name.to_owned()).collect()
     };
-    let library = library::LIBRARY.iter().flat_map(|file| declared(file.source));
+    let library = library::LIBRARY.iter().flat_map(|file| declared(&file.source));
     let mut names: Vec<_> =
         GLUE.iter().map(|name| (*name).to_owned()).chain(declared(&prelude)).chain(library).collect();
     names.sort();

@@ -113,7 +113,7 @@ fn shader(case: &LightCase, table: &CaseTable, kind: ShaderKind) -> Result<Shade
     let prelude = prelude::prelude(table, kind, &prefix);
     let (files, roots) = library::pick(case, table, kind);
     let sources: Vec<_> =
-        std::iter::once(prelude.as_str()).chain(files.iter().map(|file| file.source)).collect();
+        std::iter::once(prelude.as_str()).chain(files.iter().map(|file| &*file.source)).collect();
     let body = compose::compose(&sources, roots, &prefix).map_err(|source| GenerateError::Compose {
         case: case.name.clone(),
         shader: kind.name(),

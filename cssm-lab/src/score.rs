@@ -20,19 +20,21 @@ mod edges;
 pub mod footprints;
 mod seam;
 pub mod statistics;
+mod true_edges;
 
 pub use bands::{Place, Split};
 pub use displacement::{Displacement, Distances};
 pub use edges::FineEdges;
 pub use footprints::PixelFootprint;
 pub use seam::{Meeting, Seam};
+pub use true_edges::TrueEdges;
 
 use serde::Serialize;
 
 pub use crate::truth::FACING_COSINE;
 use crate::truth::{Frame, Visible};
-use bands::Bands;
-use edges::{Lattice, Marks};
+use edges::Marks;
+use true_edges::faces_shallowly;
 
 /// Cosines of surfaces that rise 1 to 3 degrees out of the light's direction.
 pub const SHALLOW_COSINES: std::ops::Range<f64> = 0.017_452_406..0.052_335_956;
@@ -51,8 +53,8 @@ pub struct Judged<'a> {
     pub footprints: &'a [Option<PixelFootprint>],
     /// Facet of each pixel; [`NO_FACET`] for sky.
     pub facets: &'a [u32],
-    /// True edges and creases finer than pixels, where surfaces are thinner than a pixel.
-    pub fine: Option<&'a FineEdges>,
+    /// The frame's true edges.
+    pub true_edges: &'a TrueEdges,
 }
 
 /// Facet index of pixels without one.
@@ -108,39 +110,16 @@ pub struct Aside {
     pub interior: f64,
 }
 
-/// Whether the light reaches a surface that rises at least a degree out of its direction.
-fn faces_shallowly(pixel: &Visible) -> bool {
-    pixel.reached && pixel.cosine > SHALLOW_COSINES.start
-}
-
 /// Scores a frame, and says of each pixel what was found there.
 pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
-    let frame = judged.frame;
-    let lattice = Lattice::of(frame);
+    let (frame, truth) = (judged.frame, judged.true_edges);
+    let lattice = truth.lattice;
 
-    // Mark where truth and map change, and where the surface does.
-    let creases = Marks::creases(frame, lattice);
-    let faces = Visible::faces_light;
+    // Mark where the map changes, also on surfaces that face the light at but a degree.
     let map_at = |index: usize| judged.visibility[index] >= LIT_VISIBILITY;
-    let true_edges = Marks::edges(frame, lattice, faces, |index| truth_at(frame, index));
-    let map_edges = Marks::edges(frame, lattice, faces, map_at);
-    let (band_creases, band_edges) = match judged.fine {
-        None => (creases.clone(), true_edges.clone()),
-        Some(fine) => (creases.with(&fine.creases), true_edges.with(&fine.edges)),
-    };
-    let to_true_edge = distance::transform(&band_edges);
-    let to_crease = distance::transform(&band_creases);
-    let bands = Bands::new(&to_true_edge, &to_crease);
-
-    // The same with edges on surfaces that face the light at but a degree.
-    let wide_true_edges = Marks::edges(frame, lattice, faces_shallowly, |index| truth_at(frame, index));
+    let map_edges = Marks::edges(frame, lattice, Visible::faces_light, map_at);
     let wide_map_edges = Marks::edges(frame, lattice, faces_shallowly, map_at);
-    let wide_band_edges = match judged.fine {
-        None => wide_true_edges.clone(),
-        Some(fine) => wide_true_edges.with(&fine.edges),
-    };
-    let to_wide_true_edge = distance::transform(&wide_band_edges);
-    let wide_bands = Bands::new(&to_wide_true_edge, &to_crease);
+    let (bands, wide_bands) = (truth.bands(), truth.shallow_bands());
 
     // Judge every pixel.
     let mut tally = Tally::default();
@@ -164,28 +143,22 @@ pub fn score(judged: &Judged<'_>) -> (Score, Vec<Option<Verdict>>) {
         })
         .collect();
 
-    let displacement = Displacement::between(
-        &map_edges,
-        &to_true_edge,
-        &true_edges,
-        &distance::transform(&map_edges),
-        &to_crease,
-        judged.footprints,
-    );
+    let to_map_edge = distance::transform(&map_edges);
+    let displacement =
+        Displacement::between((&map_edges, &to_map_edge), &truth.facing, &truth.to_crease, judged.footprints);
+    let to_wide_map_edge = distance::transform(&wide_map_edges);
     let wide_displacement = Displacement::between(
-        &wide_map_edges,
-        &to_wide_true_edge,
-        &wide_true_edges,
-        &distance::transform(&wide_map_edges),
-        &to_crease,
+        (&wide_map_edges, &to_wide_map_edge),
+        &truth.shallow,
+        &truth.to_crease,
         judged.footprints,
     );
     let displacements = (displacement, wide_displacement);
     let boundaries = Marks::boundaries(frame, lattice, judged.facets);
     let meetings = Marks::meetings(frame, lattice, judged.facets);
-    let edges = (&true_edges, &map_edges);
+    let edges = (&truth.facing.edges, &to_map_edge[..]);
     let seam = Seam::along((&boundaries, &meetings), edges, judged.footprints, &verdicts, lattice);
-    (tally.score(true_edges.count(), displacements, seam), verdicts)
+    (tally.score(truth.facing.edges.count(), displacements, seam), verdicts)
 }
 
 fn truth_at(frame: &Frame, index: usize) -> bool {

@@ -1,5 +1,7 @@
 //! A sight: one view of a scene under one light, traced once, and the judge of every map on it.
 
+use std::sync::OnceLock;
+
 use cssm_core::case::Filter;
 use cssm_core::fit::DepthHistogram;
 use cssm_core::plan::plan_seen;
@@ -9,7 +11,7 @@ use crate::error::LabError;
 use crate::progress::Progress;
 use crate::scene::Scene;
 use crate::score::footprints::{Assignment, FrameFootprint};
-use crate::score::{FineEdges, Judged, Score, Verdict, score};
+use crate::score::{FineEdges, Judged, Score, TrueEdges, Verdict, score};
 use crate::truth::{Frame, Tracer};
 
 /// One view of a scene under one light.
@@ -30,6 +32,8 @@ pub struct Sight<'a> {
     pub frame: Frame,
     /// True edges finer than pixels, if they were asked for.
     pub fine: Option<FineEdges>,
+    /// Edges of the frame, found when the first map is judged.
+    pub(crate) true_edges: OnceLock<TrueEdges>,
 }
 
 /// How a stage is set.
@@ -88,7 +92,17 @@ impl<'a> Sight<'a> {
         let bounds = SceneBounds::of(scene.bounds_world());
         let visible_world = visible_world(&view, &frame);
         let depth = DepthHistogram { latency_frames: 1, ..measured(&view, &frame) };
-        Self { scene, view, light, bounds, visible_world, depth, frame, fine: None }
+        Self {
+            scene,
+            view,
+            light,
+            bounds,
+            visible_world,
+            depth,
+            frame,
+            fine: None,
+            true_edges: OnceLock::new(),
+        }
     }
 
     /// The plan of a case, told everything that is known of the sight.
@@ -108,7 +122,7 @@ impl<'a> Sight<'a> {
             visibility: &visibility,
             footprints: &assignment.footprints,
             facets: &assignment.facets,
-            fine: self.fine.as_ref(),
+            true_edges: self.true_edges.get_or_init(|| TrueEdges::of(&self.frame, self.fine.as_ref())),
         });
         let footprint = assignment.frame_footprint(&self.frame);
         Outcome { visibility, assignment, footprint, score, verdicts }

@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use cssm_core::LightCase;
+use cssm_core::facet::Facet;
 use serde::Serialize;
 
 use crate::arguments::parse_image_size;
@@ -30,7 +31,7 @@ const TECHNIQUES: [(&str, &str); 4] = [
     ("4 stable cascades", "stable_cascades { splits: 4, scheme: logarithmic }"),
 ];
 
-/// Modes that are compared. A technique that a mode changes nothing of is measured without it.
+/// Modes that are compared, the plain one first. A technique that a mode changes nothing of is measured without it.
 const MODES: [&str; 5] = [
     "none",
     "snapped",
@@ -93,13 +94,15 @@ pub fn run(arguments: &StabilityArguments, progress: Progress) -> Result<String,
     let mut found: Vec<StabilityFinding> = Vec::new();
     let bar = progress.bar((TECHNIQUES.len() * MODES.len()) as u64, "modes of stability");
     for (technique, declared) in TECHNIQUES {
+        let mut plain: Option<Vec<Facet>> = None;
         for mode in MODES {
             let fields = format!("stability: {mode},");
             let case = case(declared, &fields, arguments.side, arguments.distance)?;
-            let is_plain = found.iter().any(|plain| plain.technique == technique);
-            if !is_plain || sight.plan(&case)?.facets != plain_facets(&sight, &case)? {
+            let facets = sight.plan(&case)?.facets;
+            if plain.as_ref() != Some(&facets) {
                 found.push(find(arguments, &sight, &case, (technique, mode))?);
             }
+            plain.get_or_insert(facets);
             bar.inc(1);
         }
     }
@@ -110,12 +113,6 @@ pub fn run(arguments: &StabilityArguments, progress: Progress) -> Result<String,
     std::fs::write(&path, &text).map_err(|source| LabError::Write { path, source })?;
     chart::draw(&found, arguments)?.write_png(&arguments.out.join("stability.png"))?;
     Ok(text)
-}
-
-/// The facets of the same case without any mode.
-fn plain_facets(sight: &Sight<'_>, case: &LightCase) -> Result<Vec<cssm_core::facet::Facet>, LabError> {
-    let plain = LightCase { stability: cssm_core::case::Stability::None, ..case.clone() };
-    Ok(sight.plan(&plain)?.facets)
 }
 
 fn find(

@@ -9,7 +9,7 @@ use cssm_core::{Light, SceneBounds, View, plan};
 use cssm_lab::case_file::pick_case;
 use cssm_lab::scene::Scene;
 use cssm_lab::score::footprints::Assignment;
-use cssm_lab::score::{Judged, NO_FACET, score};
+use cssm_lab::score::{Judged, NO_FACET, TrueEdges, score};
 use cssm_lab::truth::{Frame, Tracer};
 
 const SIZE: (u32, u32) = (640, 360);
@@ -52,7 +52,7 @@ fn views_show_shadows_edges_and_a_facet_corner() {
                 visibility: &vec![1.0; frame.pixels.len()],
                 footprints: &assignment.footprints,
                 facets: &assignment.facets,
-                fine: None,
+                true_edges: &TrueEdges::of(&frame, None),
             });
             let name = &scene.name;
             println!("{name} {index}: {:.3} shadowed, {} edges", score.shadowed, score.true_edge_pixels);

@@ -4,6 +4,7 @@
 //! leave nothing in shaders and tables where they are not used. Their memory is made for every call.
 
 mod numbers;
+mod records;
 
 use cssm_core::case::MaskDepth;
 use cssm_core::facet::{Facet, Tile};
@@ -12,7 +13,8 @@ use cssm_core::{ShadowPlan, View};
 use crate::error::ServiceError;
 use crate::lights::LightReport;
 use crate::scope::checked;
-use numbers::{Numbers, TILE_ROWS, facet_numbers, tile_numbers};
+use numbers::{LOGARITHMIC, Numbers, PERSPECTIVE, facet_numbers, tile_numbers};
+use records::{FacetRows, FacetSettings, PlanRows, RowNames, TileRows, TileSettings, prelude};
 
 /// The passes that show facets and tiles, on one device and for one kind of depth and target.
 #[derive(Debug)]
@@ -116,13 +118,13 @@ impl Overlay {
             write_mask: wgpu::ColorWrites::ALL,
         };
         let facets = checked(device, "the overlay of facets", || {
-            let module = device.create_shader_module(wgpu::include_wgsl!("shaders/overlay_facets.wgsl"));
+            let module = module(device, facet_shader());
             let layout = layout(device, (binding, sample_type));
             let pipeline = pipeline(device, &layout, &module, ["overlay_vertex", entry], blended.clone());
             ShownPass { layout, pipeline }
         })?;
         let tiles = checked(device, "the overlay of tiles", || {
-            let module = device.create_shader_module(wgpu::include_wgsl!("shaders/overlay_tiles.wgsl"));
+            let module = module(device, tile_shader());
             let layout = layout(device, (DEPTH_BINDING, wgpu::TextureSampleType::Depth));
             let pipeline = pipeline(device, &layout, &module, ["tiles_vertex", "tiles_fragment"], blended);
             ShownPass { layout, pipeline }
@@ -168,11 +170,11 @@ impl Overlay {
         target: &wgpu::TextureView,
         place: [u32; 4],
     ) -> Result<(), ServiceError> {
-        let numbers = tile_numbers(tiles, (map.width(), map.height()), OUTLINE_PIXELS);
-        let count = (numbers.rows.len() / TILE_ROWS) as u32;
+        let count = tiles.len() as u32;
         if count == 0 {
             return Ok(());
         }
+        let numbers = tile_numbers(tiles, (map.width(), map.height()), OUTLINE_PIXELS);
         let map = map.create_view(&wgpu::TextureViewDescriptor::default());
         self.draw(encoder, &self.tiles, &numbers, (DEPTH_BINDING, &map), target, Some(place), 0..6, count)
     }
@@ -218,6 +220,26 @@ impl Overlay {
             pass.draw(corners, 0..instances);
         })
     }
+}
+
+/// The shader that colours pixels by their facets.
+fn facet_shader() -> String {
+    let rows = [RowNames::of::<PlanRows>("PLAN"), RowNames::of::<FacetRows>("FACET")];
+    let curves = [("PERSPECTIVE", PERSPECTIVE), ("LOGARITHMIC", LOGARITHMIC)];
+    prelude::<FacetSettings, 2>(rows, &curves) + include_str!("shaders/overlay_facets.wgsl")
+}
+
+/// The shader that shows tiles.
+fn tile_shader() -> String {
+    let rows = [RowNames::of::<TileRows>("TILE")];
+    prelude::<TileSettings, 1>(rows, &[]) + include_str!("shaders/overlay_tiles.wgsl")
+}
+
+fn module(device: &wgpu::Device, text: String) -> wgpu::ShaderModule {
+    device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some("cssm overlay"),
+        source: wgpu::ShaderSource::Wgsl(text.into()),
+    })
 }
 
 /// Floats that are fetched.

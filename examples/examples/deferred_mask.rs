@@ -8,10 +8,10 @@
 
 use std::error::Error;
 
-use cssm::core::glam::{DAffine3, DMat4, DVec3};
-use cssm::runtime::{CasterInstance, MaskInputs, MeshDescription, Options, ShadowService, wgpu};
-use cssm::{BoundingBox, Light, SceneBounds, View, plan};
-use cssm_examples::{Gpu, Vertex, add_box, clip_from_camera, write_picture};
+use cssm::core::glam::{DAffine3, DVec3};
+use cssm::runtime::{CasterInstance, MaskInputs, Options, ShadowService, wgpu};
+use cssm::{Light, SceneBounds, View, plan};
+use cssm_examples::{BoxScene, Gpu, camera_numbers, write_picture};
 
 cssm::light_case! {
     /// A low sun over a court; the engine is deferred.
@@ -34,20 +34,26 @@ const TRAVEL: DVec3 = DVec3::new(0.8, -0.55, -0.35);
 const GEOMETRY_PASS: &str = "
 struct Camera { clip_from_camera: mat4x4<f32>, camera_from_object: mat4x4<f32>, toward_light: vec4<f32> }
 @group(0) @binding(0) var<uniform> camera: Camera;
-struct Varying { @builtin(position) clip: vec4<f32>, @location(0) normal: vec3<f32>, @location(1) colour: vec3<f32> }
+struct Varying {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) normal: vec3<f32>,
+    @location(1) colour: vec3<f32>,
+    @location(2) upwards: f32,
+}
 struct Surface { @location(0) sky: vec4<f32>, @location(1) sun: vec4<f32> }
 
 @vertex
 fn geometry_vertex(@location(0) position: vec3<f32>, @location(1) normal: vec3<f32>) -> Varying {
     let seen = camera.camera_from_object * vec4<f32>(position, 1.0);
     let colour = select(vec3<f32>(0.78, 0.68, 0.55), vec3<f32>(0.62, 0.6, 0.56), position.y <= 0.0);
-    return Varying(camera.clip_from_camera * seen, normal, colour);
+    let turned = (camera.camera_from_object * vec4<f32>(normal, 0.0)).xyz;
+    return Varying(camera.clip_from_camera * seen, turned, colour, normal.y);
 }
 
 @fragment
 fn geometry_fragment(surface: Varying) -> Surface {
     let sun = max(dot(surface.normal, camera.toward_light.xyz), 0.0) * vec3<f32>(1.0, 0.86, 0.66);
-    let sky = (0.75 + 0.25 * surface.normal.y) * vec3<f32>(0.22, 0.27, 0.36);
+    let sky = (0.75 + 0.25 * surface.upwards) * vec3<f32>(0.22, 0.27, 0.36);
     return Surface(vec4<f32>(surface.colour * sky, 1.0), vec4<f32>(surface.colour * sun, 1.0));
 }
 ";
@@ -68,25 +74,11 @@ fn boxes() -> Vec<[[f32; 3]; 2]> {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut vertices: Vec<Vertex> = Vec::new();
-    boxes().iter().for_each(|[min, max]| add_box(&mut vertices, *min, *max));
-
     // The service draws the engine's vertex buffer into the map.
     let gpu = Gpu::for_table(&court::TABLE)?;
     let mut service = ShadowService::new(&gpu.device, &gpu.queue, &court::TABLE, &Options::default())?;
-    let buffer = gpu.buffer(&vertices, wgpu::BufferUsages::VERTEX);
-    let mesh = service.add_mesh(&MeshDescription {
-        vertices: &buffer,
-        vertices_offset_bytes: 0,
-        vertex_count: vertices.len() as u32,
-        stride_bytes: size_of::<Vertex>() as u32,
-        position_offset_bytes: 0,
-        position_format: wgpu::VertexFormat::Float32x3,
-        indices: None,
-        bounds_object: BoundingBox { min: DVec3::new(-30.0, -1.0, -50.0), max: DVec3::new(30.0, 5.0, 15.0) },
-        clusters: &[],
-        mask: None,
-    })?;
+    let scene = BoxScene::new(&gpu, &boxes());
+    let mesh = service.add_mesh(&scene.mesh())?;
     let eye = ORIGIN + DVec3::new(6.0, 4.2, 9.0);
     let view = View::perspective(
         eye,
@@ -111,7 +103,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         gpu.texture(SIZE, wgpu::TextureFormat::Depth32Float, usage | wgpu::TextureUsages::TEXTURE_BINDING);
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     service.capture(&mut encoder, &frame, None)?;
-    draw_geometry(&gpu, &mut encoder, &view, [&sky, &sun, &depth], &buffer);
+    draw_geometry(&gpu, &mut encoder, &view, [&sky, &sun, &depth], &scene);
     let inputs = MaskInputs { depth: &depth.create_view(&Default::default()), normal: None };
     service.mask(&mut encoder, &frame, &inputs, &mask.create_view(&Default::default()), None)?;
     gpu.queue.submit([encoder.finish()]);
@@ -178,36 +170,23 @@ fn draw_geometry(
     encoder: &mut wgpu::CommandEncoder,
     view: &View,
     [sky, sun, depth]: [&wgpu::Texture; 3],
-    vertices: &wgpu::Buffer,
+    scene: &BoxScene,
 ) {
     let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("geometry"),
         source: wgpu::ShaderSource::Wgsl(GEOMETRY_PASS.into()),
     });
-    let origin = view.camera_from_world * (ORIGIN - view.eye_world);
-    let camera_from_object = DMat4::from_mat3_translation(view.camera_from_world, origin);
-    let mut camera = clip_from_camera(view).as_mat4().to_cols_array().to_vec();
-    camera.extend(camera_from_object.as_mat4().to_cols_array());
-    camera.extend((-TRAVEL.normalize()).extend(0.0).as_vec4().to_array());
+    let camera = camera_numbers(view, ORIGIN, -TRAVEL.normalize());
     let (layout, group) = gpu.uniform_group(&[&gpu.buffer(&camera, wgpu::BufferUsages::UNIFORM)]);
-    let attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
-    let buffers = wgpu::VertexBufferLayout {
-        array_stride: size_of::<Vertex>() as u64,
-        step_mode: wgpu::VertexStepMode::Vertex,
-        attributes: &attributes,
-    };
     let pipeline = gpu.pipeline(
         &module,
         ["geometry_vertex", "geometry_fragment"],
         &[Some(&layout)],
-        &[Some(buffers)],
+        &[Some(BoxScene::layout())],
         wgpu::PrimitiveTopology::TriangleList,
         &[wgpu::TextureFormat::Rgba8Unorm; 2],
     );
     let clear = wgpu::Color { r: 0.12, g: 0.3, b: 0.6, a: 1.0 };
     let mut pass = gpu.pass(encoder, &[(sky, clear), (sun, wgpu::Color::BLACK)], depth);
-    pass.set_pipeline(&pipeline);
-    pass.set_bind_group(0, &group, &[]);
-    pass.set_vertex_buffer(0, vertices.slice(..));
-    pass.draw(0..(vertices.size() / size_of::<Vertex>() as u64) as u32, 0..1);
+    scene.draw(&mut pass, &pipeline, &group);
 }

@@ -15,7 +15,7 @@ use cssm::runtime::{
     CasterPipelineDescription, CasterPipelines, EngineFacet, Options, PreparedFrame, ShadowService, wgpu,
 };
 use cssm::{BoundingBox, Light, SceneBounds, ShadowPlan, View, plan};
-use cssm_examples::{Gpu, clip_from_camera, write_picture};
+use cssm_examples::{Gpu, camera_numbers, write_picture};
 
 include!(concat!(env!("OUT_DIR"), "/meadow.rs"));
 include!(concat!(env!("OUT_DIR"), "/meadow_stem.rs"));
@@ -332,7 +332,8 @@ impl Engine {
         let rows = gpu.buffer(rows.as_flattened(), vertex | wgpu::BufferUsages::UNIFORM);
         let plants = gpu.buffer(&plants.uniform(), wgpu::BufferUsages::UNIFORM);
         let (camera_layout, camera_group) = {
-            let camera = gpu.buffer(&camera_uniform(view, plan), wgpu::BufferUsages::UNIFORM);
+            let camera =
+                gpu.buffer(&camera_numbers(view, ORIGIN, plan.light.truncate()), wgpu::BufferUsages::UNIFORM);
             gpu.uniform_group(&[&camera])
         };
         let (plants_layout, plants_group) = gpu.uniform_group(&[&plants, &rows]);
@@ -454,14 +455,4 @@ impl Engine {
         gpu.queue.submit([encoder.finish()]);
         Ok((gpu.read(&picture)?, gpu.read(&ground)?))
     }
-}
-
-/// The camera pass's uniform.
-fn camera_uniform(view: &View, plan: &ShadowPlan) -> Vec<f32> {
-    let origin = view.camera_from_world * (ORIGIN - view.eye_world);
-    let camera_from_origin = DMat4::from_mat3_translation(view.camera_from_world, origin);
-    let toward_light = (view.camera_from_world * plan.light.truncate()).extend(0.0);
-    let matrices =
-        [clip_from_camera(view), camera_from_origin].map(|matrix| matrix.as_mat4().to_cols_array());
-    matrices.as_flattened().iter().copied().chain(toward_light.as_vec4().to_array()).collect()
 }

@@ -9,10 +9,10 @@
 
 use std::error::Error;
 
-use cssm::core::glam::{DAffine3, DMat4, DVec3, DVec4};
-use cssm::runtime::{CasterInstance, MeshDescription, Options, PreparedFrame, ShadowService, wgpu};
-use cssm::{BoundingBox, Light, SceneBounds, View, plan};
-use cssm_examples::{Gpu, Vertex, add_box, clip_from_camera, write_picture};
+use cssm::core::glam::{DAffine3, DVec3, DVec4};
+use cssm::runtime::{CasterInstance, Options, PreparedFrame, ShadowService, wgpu};
+use cssm::{Light, SceneBounds, View, plan};
+use cssm_examples::{BoxScene, Gpu, camera_numbers, write_picture};
 
 cssm::light_case! {
     /// A sun whose shadows the engine's material asks for.
@@ -59,30 +59,18 @@ fn engine_fragment(surface: EngineVarying) -> @location(0) vec4<f32> {
 
 fn main() -> Result<(), Box<dyn Error>> {
     // A terrace with columns.
-    let mut vertices = Vec::new();
-    add_box(&mut vertices, [-40.0, -1.0, -90.0], [40.0, 0.0, 20.0]);
-    for column in 0..16_u8 {
+    let mut boxes = vec![[[-40.0, -1.0, -90.0], [40.0, 0.0, 20.0]]];
+    boxes.extend((0..16_u8).map(|column| {
         let (x, z) = (f32::from(column % 2) * 9.0 - 5.0, f32::from(column / 2) * -7.0 - 4.0);
-        add_box(&mut vertices, [x - 0.5, 0.0, z - 0.5], [x + 0.5, 6.0, z + 0.5]);
-    }
-    add_box(&mut vertices, [-6.0, 6.0, -54.0], [5.0, 6.6, -3.0]);
+        [[x - 0.5, 0.0, z - 0.5], [x + 0.5, 6.0, z + 0.5]]
+    }));
+    boxes.push([[-6.0, 6.0, -54.0], [5.0, 6.6, -3.0]]);
 
     // The service and the engine share the vertex buffer.
     let gpu = Gpu::for_table(&noon::TABLE)?;
     let mut service = ShadowService::new(&gpu.device, &gpu.queue, &noon::TABLE, &Options::default())?;
-    let vertex_buffer = gpu.buffer(&vertices, wgpu::BufferUsages::VERTEX);
-    let mesh = service.add_mesh(&MeshDescription {
-        vertices: &vertex_buffer,
-        vertices_offset_bytes: 0,
-        vertex_count: vertices.len() as u32,
-        stride_bytes: size_of::<Vertex>() as u32,
-        position_offset_bytes: 0,
-        position_format: wgpu::VertexFormat::Float32x3,
-        indices: None,
-        bounds_object: BoundingBox { min: DVec3::new(-40.0, -1.0, -90.0), max: DVec3::new(40.0, 6.6, 20.0) },
-        clusters: &[],
-        mask: None,
-    })?;
+    let scene = BoxScene::new(&gpu, &boxes);
+    let mesh = service.add_mesh(&scene.mesh())?;
 
     // Plan and prepare the frame.
     let eye = ORIGIN + DVec3::new(10.0, 3.2, 8.0);
@@ -99,7 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut pictures, mut encoder) = (Vec::new(), gpu.device.create_command_encoder(&Default::default()));
     for frame in [&frame, &unshadowed] {
         service.capture(&mut encoder, frame, None)?;
-        pictures.push(engine.draw(&gpu, &mut encoder, &service, frame, &vertex_buffer)?);
+        pictures.push(engine.draw(&gpu, &mut encoder, &service, frame, &scene)?);
     }
     gpu.queue.submit([encoder.finish()]);
 
@@ -145,27 +133,16 @@ impl Engine {
         let layout = gpu
             .device
             .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries });
-        let vertices = wgpu::VertexBufferLayout {
-            array_stride: size_of::<Vertex>() as u64,
-            step_mode: wgpu::VertexStepMode::Vertex,
-            attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3],
-        };
         let pipeline = gpu.pipeline(
             &module,
             ["engine_vertex", "engine_fragment"],
             &[Some(&layout)],
-            &[Some(vertices)],
+            &[Some(BoxScene::layout())],
             wgpu::PrimitiveTopology::TriangleList,
             &[wgpu::TextureFormat::Rgba8UnormSrgb],
         );
 
-        // The object's place before the camera: composed in f64, rounded once.
-        let origin = view.camera_from_world * (ORIGIN - view.eye_world);
-        let camera_from_object = DMat4::from_mat3_translation(view.camera_from_world, origin);
-        let toward_light = (view.camera_from_world * light.truncate()).extend(0.0);
-        let mut camera = clip_from_camera(view).as_mat4().to_cols_array().to_vec();
-        camera.extend(camera_from_object.as_mat4().to_cols_array());
-        camera.extend(toward_light.as_vec4().to_array());
+        let camera = camera_numbers(view, ORIGIN, light.truncate());
         Ok(Self { pipeline, camera: gpu.buffer(&camera, wgpu::BufferUsages::UNIFORM), layout })
     }
 
@@ -176,7 +153,7 @@ impl Engine {
         encoder: &mut wgpu::CommandEncoder,
         service: &ShadowService,
         frame: &PreparedFrame,
-        vertices: &wgpu::Buffer,
+        scene: &BoxScene,
     ) -> Result<wgpu::Texture, Box<dyn Error>> {
         // The engine's camera and this frame's shadow side by side.
         let mut entries = service.shadow_entries(frame)?;
@@ -192,10 +169,7 @@ impl Engine {
         let depth = gpu.texture(SIZE, wgpu::TextureFormat::Depth32Float, usage);
         let sky = wgpu::Color { r: 0.3, g: 0.5, b: 0.8, a: 1.0 };
         let mut pass = gpu.pass(encoder, &[(&picture, sky)], &depth);
-        pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &group, &[]);
-        pass.set_vertex_buffer(0, vertices.slice(..));
-        pass.draw(0..(vertices.size() / size_of::<Vertex>() as u64) as u32, 0..1);
+        scene.draw(&mut pass, &self.pipeline, &group);
         drop(pass);
         Ok(picture)
     }

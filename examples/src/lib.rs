@@ -8,14 +8,18 @@
 //! * `many_lights`: a sun, a spot light and lamps share one map; only what changes is drawn again.
 //! * `build_script_tables`: tables and SPIR-V for an engine that renders by itself; no graphics interface.
 //!
-//! Each runs without a window, prints what it shows and checks itself. What they share is here: a device, buffers
-//! and pictures.
+//! Each runs without a window, prints what it shows and checks itself. What they share is here: a device, buffers, cameras,
+//! scenes of boxes and pictures.
+
+mod boxes;
+
+pub use boxes::{BoxScene, Vertex};
 
 use std::error::Error;
 use std::path::PathBuf;
 
 use cssm::View;
-use cssm::core::glam::{DMat4, DVec4};
+use cssm::core::glam::{DMat4, DVec3, DVec4};
 use cssm::runtime::{Requirements, ServiceError, features_and_limits, read_back, wgpu};
 use cssm::table::CaseTable;
 
@@ -190,33 +194,20 @@ impl Gpu {
     }
 }
 
-/// A vertex of the engines whose scenes are boxes.
-#[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C)]
-pub struct Vertex {
-    /// Position in object space.
-    pub position: [f32; 3],
-    /// Unit normal in object space.
-    pub normal: [f32; 3],
-}
-
-/// A box between two corners, as triangles with flat normals.
-pub fn add_box(vertices: &mut Vec<Vertex>, min: [f32; 3], max: [f32; 3]) {
-    for (axis, end) in [(0, min), (0, max), (1, min), (1, max), (2, min), (2, max)] {
-        let (across, along) = ((axis + 1) % 3, (axis + 2) % 3);
-        let mut normal = [0.0; 3];
-        normal[axis] = if end == max { 1.0 } else { -1.0 };
-        for (u, v) in [(0, 0), (1, 0), (1, 1), (0, 0), (1, 1), (0, 1)] {
-            let mut position = end;
-            position[across] = if u == 0 { min[across] } else { max[across] };
-            position[along] = if v == 0 { min[along] } else { max[along] };
-            vertices.push(Vertex { position, normal });
-        }
-    }
+/// What the engines' cameras tell their shaders: clip space from camera axes, camera axes from an object at `origin_world`,
+/// and the unit vector `toward_light_world` in camera axes. Composed in f64 and rounded once.
+pub fn camera_numbers(view: &View, origin_world: DVec3, toward_light_world: DVec3) -> Vec<f32> {
+    let origin = view.camera_from_world * (origin_world - view.eye_world);
+    let camera_from_object = DMat4::from_mat3_translation(view.camera_from_world, origin);
+    let toward_light = (view.camera_from_world * toward_light_world).extend(0.0);
+    let mut numbers = clip_from_camera(view).as_mat4().to_cols_array().to_vec();
+    numbers.extend(camera_from_object.as_mat4().to_cols_array());
+    numbers.extend(toward_light.as_vec4().to_array());
+    numbers
 }
 
 /// The infinite reversed-z projection of a view, from camera axes.
-pub fn clip_from_camera(view: &View) -> DMat4 {
+fn clip_from_camera(view: &View) -> DMat4 {
     let (width, height) = (view.right - view.left, view.top - view.bottom);
     DMat4::from_cols(
         DVec4::new(2.0 / width, 0.0, 0.0, 0.0),

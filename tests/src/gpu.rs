@@ -9,6 +9,7 @@ pub mod depth_bracket;
 pub mod device;
 pub mod dueling;
 pub mod extremes;
+pub mod ground;
 pub mod hand;
 pub mod images;
 pub mod place_probe;

@@ -2,53 +2,23 @@
 //! kind of light; and nothing on a plane shadows it but what stands before it.
 
 use cssm_core::case::{Bias, Casters, Filter, LightCase, LightKind, MaskDepth, MaskNormal, Resolve, Stretch};
-use cssm_core::glam::DVec3;
-use cssm_core::ground::plane_of;
-use cssm_core::plan::WorldPlane;
 use cssm_core::schema::{Value, Word};
-use cssm_core::twin::resolve;
-use cssm_core::{SceneBounds, View, plan};
+use cssm_core::{View, plan};
 use cssm_runtime::Options;
+use cssm_tests::gpu::ground::{Masked, bounds};
 use cssm_tests::gpu::resolve::Visible;
 use cssm_tests::gpu::score::Score;
 use cssm_tests::gpu::stage::{Drawn, Stage};
-use cssm_tests::gpu::yard::{ORIGIN, Yard, lights, views};
+use cssm_tests::gpu::yard::{Yard, lights, views};
 use cssm_tests::gpu::{TestDevice, exclusive};
 
 /// Side of the image in pixels.
 const SIZE: (u32, u32) = (160, 90);
-/// Rounding of both blurred images to 8 bits, of the mask, and of the weights that filtering hardware blends with.
-const TOLERANCE: f64 = 3.0 * 0.5 / 255.0 + 1.0 / 256.0;
-
 /// View and light of each case.
 const SITUATIONS: [(usize, usize); 8] = [(0, 0), (1, 1), (2, 2), (2, 1), (1, 1), (2, 2), (0, 0), (0, 0)];
 
 fn filter(planes: u32) -> Filter {
     Filter::GroundMasks { planes, blur_metres: 0.4, reach_texels: 6 }
-}
-
-/// The ground, and planes through faces of boxes and through nothing.
-fn planes() -> [WorldPlane; 4] {
-    let plane = |at: [f64; 3], normal: [f64; 3]| WorldPlane {
-        point_world: ORIGIN + DVec3::from_array(at),
-        normal_world: DVec3::from_array(normal),
-    };
-    let turned = |turn: f64| [turn.sin(), 0.0, turn.cos()];
-    let front = |turn: f64, half: f64| turned(turn).map(|part| part * half);
-    let [x, y, z] = front(0.3, 1.5);
-    [
-        plane([0.0; 3], [0.0, 2.0, 0.0]),
-        plane([4.0 + x, y, -12.0 + z], turned(0.3)),
-        plane([0.0, 4.0, 0.0], [0.0, -1.0, 0.0]),
-        plane([0.0, 50.0, 0.0], [0.3, 1.0, 0.2]),
-    ]
-}
-
-fn bounds(filter: Filter) -> SceneBounds {
-    let mut bounds = SceneBounds::default();
-    let given = planes().into_iter().map(Some).take(filter.ground_planes() as usize);
-    bounds.ground_planes.iter_mut().zip(given).for_each(|(place, plane)| *place = plane);
-    bounds
 }
 
 /// Cases that differ in facets, bending, bias, kind of light and the number of channels.
@@ -89,41 +59,8 @@ fn draw(
     turn: usize,
     visible: &Visible,
 ) -> Drawn {
-    let plan = plan(case, view, &lights(case.light)[turn], &bounds(case.filter)).unwrap();
+    let plan = plan(case, view, &lights(case.light)[turn], &bounds(case.filter.ground_planes())).unwrap();
     Stage::new(gpu, yard, case, &Options::default()).draw(plan, view, visible)
-}
-
-/// What receivers on planes show.
-#[derive(Debug, Default)]
-struct Masked {
-    pixels: usize,
-    soft: usize,
-    mask_wrong: usize,
-    material_wrong: usize,
-    worst: f64,
-}
-
-/// Compares pixels on planes with the twin.
-fn masked(case: &LightCase, drawn: &Drawn, visible: &Visible) -> Masked {
-    let mut found = Masked::default();
-    for (pixel, (ray, hit)) in visible.rays.iter().zip(&visible.hits).enumerate() {
-        let Some(hit) = hit else { continue };
-        let point = *ray * hit.along;
-        if plane_of(drawn.plan.ground_planes(), point).is_none() {
-            continue;
-        }
-        let truth = resolve(case, &drawn.plan, &drawn.map, point, hit.normal).visibility;
-        let error = |image: &Option<Vec<u8>>| {
-            image.as_ref().map_or(0.0, |image| (f64::from(image[pixel]) / 255.0 - truth).abs())
-        };
-        let (mask, material) = (error(&drawn.mask), error(&drawn.material));
-        found.pixels += 1;
-        found.soft += usize::from(truth > 0.02 && truth < 0.98);
-        found.mask_wrong += usize::from(mask > TOLERANCE);
-        found.material_wrong += usize::from(material > TOLERANCE);
-        found.worst = found.worst.max(mask).max(material);
-    }
-    found
 }
 
 #[test]
@@ -136,7 +73,7 @@ fn masks_of_planes_are_as_the_twin_makes_them() {
         let (view, visible) = &seen[view];
         let drawn = draw(&gpu, &yard, &case, view, light, visible);
         shared += usize::from(drawn.plan.facets.iter().any(|facet| !facet.clip.is_empty()));
-        let found = masked(&case, &drawn, visible);
+        let found = Masked::of(&case, &drawn, visible);
         let what = format!("{number} {} {:?}: {found:?}", drawn.plan.configuration, case.light);
         println!("{what}");
         assert!(found.pixels > 3000 && found.soft > 100, "{what}");
@@ -150,7 +87,7 @@ fn masks_of_planes_are_as_the_twin_makes_them() {
 
         // A twin without masks disagrees.
         let gathered = LightCase { filter: Filter::Gather2x2, ..case.clone() };
-        assert!(masked(&gathered, &drawn, visible).mask_wrong > 50 + 5 * found.mask_wrong, "{what}");
+        assert!(Masked::of(&gathered, &drawn, visible).mask_wrong > 50 + 5 * found.mask_wrong, "{what}");
     }
     assert!(shared >= 2, "{shared} plans with shared tiles");
 }

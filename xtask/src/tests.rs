@@ -9,8 +9,8 @@ use crate::failure::{Failure, at};
 use crate::steps::Steps;
 use crate::{generated, setup};
 
-/// Folder of the package whose tests draw.
-const DEVICE_PACKAGE: &str = "tests";
+/// What names of test programs begin with that do nothing but draw.
+const DEVICE_PREFIX: &str = "gpu_";
 /// Folders that hold no sources.
 const OTHER_FOLDERS: [&str; 3] = ["target", "out", ".git"];
 
@@ -34,7 +34,8 @@ pub(crate) fn run(steps: &mut Steps, full: bool, arguments: &[String]) -> Result
     if full { generated::check_release(steps) } else { Ok(()) }
 }
 
-/// Runs the tests of the device beside all others: each lane leaves a core idle that the other can use.
+/// Runs the tests of the device beside all others: they take turns on the device and leave a core idle that the others use.
+/// Those are the longer lane, because the last of them trace rays on every core that is free.
 fn run_lanes(steps: &mut Steps, full: bool) -> Result<(), Failure> {
     steps.run("building tests", cargo_test(steps, full).arg("--no-run"))?;
 
@@ -59,7 +60,7 @@ fn cargo_test(steps: &Steps, full: bool) -> Command {
     tests
 }
 
-/// Names of the workspace's test programs, and whether they belong to the package that draws.
+/// Names of the workspace's test programs, and whether they draw.
 fn test_names(root: &Path) -> Result<BTreeSet<(bool, String)>, Failure> {
     let mut names = BTreeSet::new();
     for package in fs::read_dir(root).map_err(at(root))? {
@@ -68,12 +69,11 @@ fn test_names(root: &Path) -> Result<BTreeSet<(bool, String)>, Failure> {
         if !package.join("Cargo.toml").is_file() || !tests.is_dir() {
             continue;
         }
-        let of_device = package.file_name().is_some_and(|name| name == DEVICE_PACKAGE);
         for file in fs::read_dir(&tests).map_err(at(&tests))? {
             let file = file.map_err(at(&tests))?.path();
             let name = file.file_stem().and_then(|stem| stem.to_str());
             if let Some(name) = name.filter(|_| file.extension().is_some_and(|extension| extension == "rs")) {
-                names.insert((of_device, name.to_owned()));
+                names.insert((name.starts_with(DEVICE_PREFIX), name.to_owned()));
             }
         }
     }

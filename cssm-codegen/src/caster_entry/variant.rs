@@ -56,7 +56,7 @@ impl CasterEntry {
         let has_rows = !matches!(space, CasterSpace::Capture);
         let files = library::caster_entry(table, clamped, hole.is_some(), has_rows);
         let mut sources = vec![prelude.as_str(), glue.head.as_str()];
-        sources.extend(files.iter().map(|file| file.source));
+        sources.extend(files.iter().map(|file| &*file.source));
         sources.push(&glue.tail);
         let vertex = format!("{}_vertex", kind.name());
         let fragment = (kind != ShaderKind::Capture).then(|| format!("{}_fragment", kind.name()));

@@ -1,9 +1,10 @@
 //! Files of filters: those in the resolve stage, and the prefilter's.
 
-use cssm_core::case::{Bias, Filter, Kernel, LightCase};
+use cssm_core::case::{Filter, Kernel, LightCase};
 use cssm_core::table::{CaseTable, ShaderKind};
 
-use super::{Remap, order, remap};
+use super::order;
+use super::remap::{Remap, remap};
 
 /// Files of the filter and its kernel.
 pub(super) fn files(case: &LightCase, table: &CaseTable, plane: bool) -> Vec<&'static str> {
@@ -33,38 +34,6 @@ pub(super) fn files(case: &LightCase, table: &CaseTable, plane: bool) -> Vec<&'s
         names.extend(["texel_density", if table.shears { "gradient_sheared" } else { "gradient_plain" }]);
     }
     names
-}
-
-/// The file that joins a filter that finds the width of its kernel.
-pub(super) fn joined_wide(case: &LightCase, many: bool, local: bool) -> &'static str {
-    match (many, case.bias.reads_normal(), local) {
-        (false, _, _) if case.bias == Bias::None => "visibility_one_unbiased_wide",
-        (true, _, _) if case.bias == Bias::None => "visibility_many_unbiased_wide",
-        (false, false, false) => "visibility_one_biased_wide",
-        (false, false, true) => "visibility_one_biased_local_wide",
-        (false, true, false) => "visibility_one_normal_wide",
-        (false, true, true) => "visibility_one_normal_local_wide",
-        (true, false, false) => "visibility_many_biased_wide",
-        (true, false, true) => "visibility_many_biased_local_wide",
-        (true, true, false) => "visibility_many_normal_wide",
-        (true, true, true) => "visibility_many_normal_local_wide",
-    }
-}
-
-/// The file that joins a filter with masks of planes.
-pub(super) fn joined_masked(case: &LightCase, many: bool, local: bool) -> &'static str {
-    match (many, case.bias.reads_normal(), local) {
-        (false, _, _) if case.bias == Bias::None => "visibility_one_unbiased_masked",
-        (true, _, _) if case.bias == Bias::None => "visibility_many_unbiased_masked",
-        (false, false, false) => "visibility_one_biased_masked",
-        (false, false, true) => "visibility_one_biased_local_masked",
-        (false, true, false) => "visibility_one_normal_masked",
-        (false, true, true) => "visibility_one_normal_local_masked",
-        (true, false, false) => "visibility_many_biased_masked",
-        (true, false, true) => "visibility_many_biased_local_masked",
-        (true, true, false) => "visibility_many_normal_masked",
-        (true, true, true) => "visibility_many_normal_local_masked",
-    }
 }
 
 /// Files of a pass of the prefilter.

@@ -1,6 +1,7 @@
 //! Point-sampled rasterisation of casters into every facet's tile.
 
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
 use super::DepthMap;
 use crate::facet::Facet;
@@ -25,7 +26,7 @@ pub fn capture_tested(
     let mut map = DepthMap::cleared(plan.map_size_texels.0, plan.map_size_texels.1, plan.depth_order);
     for facet in &plan.facets {
         for (index, triangle) in triangles.iter().enumerate() {
-            draw(&mut map, facet, triangle, plan.depth_order, &|weights| is_solid(index, weights));
+            draw(&mut map, facet, triangle, plan.depth_order, |weights| is_solid(index, weights));
         }
     }
     map
@@ -39,13 +40,14 @@ fn draw(
     facet: &Facet,
     triangle: &Triangle,
     order: DepthOrder,
-    is_solid: &dyn Fn(DVec3) -> bool,
+    is_solid: impl Fn(DVec3) -> bool,
 ) {
     let rows = &facet.rows;
-    let corners = triangle.map(|corner| {
+    let placed = |corner: DVec3| {
         let point = corner.extend(1.0);
         DVec4::new(rows.x.dot(point), rows.y.dot(point), rows.z.dot(point), rows.w.dot(point))
-    });
+    };
+    let corners = [placed(triangle[0]), placed(triangle[1]), placed(triangle[2])];
 
     // Bent rows are straight in k = y/w: all is decided there, and only the rows of texel centres are bent.
     let remap = &rows.remap;
@@ -70,7 +72,7 @@ fn draw(
         let values = triangle.map(|corner| clip.dot(corner.extend(1.0)));
         edges[0] * values[0] + edges[1] * values[1] + edges[2] * values[2]
     });
-    let limits: Vec<DVec3> = edges.into_iter().chain(clip_edges).collect();
+    let limits: SmallVec<[DVec3; 8]> = edges.into_iter().chain(clip_edges).collect();
 
     // Walk the rows of texel centres; along a row every edge is a linear inequality.
     let tile = &facet.tile;
@@ -103,7 +105,7 @@ fn draw(
         while column <= last {
             let x = 2.0 * (column + 0.5) / width - 1.0;
             let centre = DVec3::new(x, y, 1.0);
-            let weights = DVec3::from(edges.map(|edge| edge.dot(centre)));
+            let weights = DVec3::new(edges[0].dot(centre), edges[1].dot(centre), edges[2].dot(centre));
             if !is_solid(weights / weights.element_sum()) {
                 column += 1.0;
                 continue;
@@ -119,6 +121,9 @@ fn draw(
     }
 }
 
+/// A triangle cut by the four edges of a tile.
+type Polygon = SmallVec<[DVec4; 8]>;
+
 /// Smallest rectangle in x/w and y/w around the visible part of a triangle, in a tile that spans `from` to `to` in y/w.
 fn tile_bounds(corners: &[DVec4; 3], from: f64, to: f64) -> Option<((f64, f64), (f64, f64))> {
     let edges = [
@@ -132,9 +137,12 @@ fn tile_bounds(corners: &[DVec4; 3], from: f64, to: f64) -> Option<((f64, f64), 
     if edges.iter().any(outside) {
         return None;
     }
-    let mut polygon = corners.to_vec();
+    let mut polygon: Polygon = corners.iter().copied().collect();
     for edge in edges {
-        let mut kept = Vec::with_capacity(polygon.len() + 1);
+        if polygon.iter().all(|corner| edge.dot(*corner) >= 0.0) {
+            continue;
+        }
+        let mut kept = Polygon::new();
         for (one, two) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
             let (a, b) = (edge.dot(*one), edge.dot(*two));
             if a >= 0.0 {

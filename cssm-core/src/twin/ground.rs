@@ -1,6 +1,7 @@
 //! Blurred masks of what stands between the light and a plane.
 
 use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
 
 use crate::facet::Tile;
 use crate::ground::PlaneInTile;
@@ -39,20 +40,37 @@ impl GroundMask<'_> {
         };
         let along_row = |corner: DVec2| {
             let sigma = self.deviation(corner).x;
-            self.blurred(sigma, |offset| covered(self.held(corner + DVec2::new(offset, 0.0))))
-        };
-        let masked = |corner: DVec2| {
-            let sigma = self.deviation(corner).y;
-            self.blurred(sigma, |offset| along_row(self.held(corner + DVec2::new(0.0, offset))))
+            self.blurred(sigma, |tap| covered(self.held(corner + DVec2::new(self.offset(tap), 0.0))))
         };
 
-        // Blend four texels bilinearly.
+        // Blur the rows of two columns that four neighbours need; most of them are the same for both rows of texels.
         let corner = (texel - 0.5).floor();
         let weight = texel - 0.5 - corner;
-        let at = |dx: f64, dy: f64| masked(corner + DVec2::new(dx, dy));
-        let upper = at(0.0, 0.0) * (1.0 - weight.x) + at(1.0, 0.0) * weight.x;
-        let lower = at(0.0, 1.0) * (1.0 - weight.x) + at(1.0, 1.0) * weight.x;
+        let rows: SmallVec<[[f64; 2]; 32]> = (0..=self.taps())
+            .map(|row| {
+                let first = corner + DVec2::new(0.0, self.offset(row));
+                [first, first + DVec2::X].map(|corner| along_row(self.held(corner)))
+            })
+            .collect();
+
+        // Blend four texels bilinearly.
+        let at = |column: usize, row: usize| {
+            let sigma = self.deviation(corner + DVec2::new(column as f64, row as f64)).y;
+            self.blurred(sigma, |tap| rows[row + tap][column])
+        };
+        let upper = at(0, 0) * (1.0 - weight.x) + at(1, 0) * weight.x;
+        let lower = at(0, 1) * (1.0 - weight.x) + at(1, 1) * weight.x;
         1.0 - upper * (1.0 - weight.y) - lower * weight.y
+    }
+
+    /// Texels that a blur reads along an axis.
+    fn taps(&self) -> usize {
+        2 * self.reach_texels as usize + 1
+    }
+
+    /// How far one of them lies from the middle.
+    fn offset(&self, tap: usize) -> f64 {
+        tap as f64 - f64::from(self.reach_texels)
     }
 
     /// Clip x/w and y/w of a texel's centre before rows are bent, and how steeply they are bent there.
@@ -82,13 +100,17 @@ impl GroundMask<'_> {
         corner.clamp(low, high)
     }
 
-    /// Mean of values around a texel by a Gaussian.
-    fn blurred(&self, deviation: f64, value_at: impl Fn(f64) -> f64) -> f64 {
-        let reach = self.reach_texels as i32;
+    /// Mean of the values of all taps by a Gaussian.
+    fn blurred(&self, deviation: f64, value_at: impl Fn(usize) -> f64) -> f64 {
+        let weight = |offset: u32| {
+            let share = f64::from(offset) / deviation;
+            libm::exp(-0.5 * share * share)
+        };
+        let weights: SmallVec<[f64; 16]> = (0..=self.reach_texels).map(weight).collect();
         let (mut sum, mut whole) = (0.0, 0.0);
-        for offset in (-reach..=reach).map(f64::from) {
-            let weight = libm::exp(-0.5 * (offset / deviation) * (offset / deviation));
-            (sum, whole) = (sum + weight * value_at(offset), whole + weight);
+        for tap in 0..self.taps() {
+            let weight = weights[tap.abs_diff(self.reach_texels as usize)];
+            (sum, whole) = (sum + weight * value_at(tap), whole + weight);
         }
         sum / whole
     }

@@ -1,6 +1,7 @@
 //! Blurred moments of warped depths, and the shadow that they stand for.
 
 use glam::DVec2;
+use smallvec::SmallVec;
 
 use crate::facet::Tile;
 
@@ -26,12 +27,13 @@ impl Moments {
         behind: f64,
         behind_at: impl Fn(DVec2) -> f64,
     ) -> f64 {
-        // Blend the moments of four texels bilinearly.
+        // Blend the moments of four texels bilinearly; most texels that one is blurred over the others are as well.
         let corner = (texel - 0.5).floor();
         let weight = texel - 0.5 - corner;
-        let at = |dx: f64, dy: f64| self.blurred(tile, corner + DVec2::new(dx, dy), &behind_at);
-        let upper = at(0.0, 0.0).lerp(at(1.0, 0.0), weight.x);
-        let lower = at(0.0, 1.0).lerp(at(1.0, 1.0), weight.x);
+        let window = self.window(tile, corner, behind_at);
+        let at = |column: usize, row: usize| self.blurred(&window, column, row);
+        let upper = at(0, 0).lerp(at(1, 0), weight.x);
+        let lower = at(0, 1).lerp(at(1, 1), weight.x);
         let moments = upper.lerp(lower, weight.y);
 
         // Bound the share of casters behind the receiver by Chebyshev's inequality, one-tailed.
@@ -50,19 +52,31 @@ impl Moments {
         libm::exp(self.exponent * behind)
     }
 
-    /// Mean and mean square over a box of texels; beyond the tile its last texels count on.
-    fn blurred(&self, tile: &Tile, corner: DVec2, behind_at: &impl Fn(DVec2) -> f64) -> DVec2 {
+    /// Texels across a box that is blurred over.
+    fn across(&self) -> usize {
+        2 * self.blur_texels as usize + 1
+    }
+
+    /// Warped depths of the texels that four neighbours are blurred over, row by row; `corner` is the first of the four.
+    /// Beyond the tile its last texels count on.
+    fn window(&self, tile: &Tile, corner: DVec2, behind_at: impl Fn(DVec2) -> f64) -> SmallVec<[f64; 64]> {
         let low = DVec2::new(f64::from(tile.x), f64::from(tile.y));
         let high = low + DVec2::new(f64::from(tile.width), f64::from(tile.height)) - 1.0;
-        let radius = self.blur_texels as i32;
+        let first = corner - f64::from(self.blur_texels);
+        let side = self.across() as u32 + 1;
+        let texel = |index: u32| first + DVec2::new(f64::from(index % side), f64::from(index / side));
+        (0..side * side).map(|index| self.warped(behind_at(texel(index).clamp(low, high)))).collect()
+    }
+
+    /// Mean and mean square over the box of texels that begins at a column and row of a window.
+    fn blurred(&self, window: &[f64], column: usize, row: usize) -> DVec2 {
+        let across = self.across();
         let mut sum = DVec2::ZERO;
-        for row in -radius..=radius {
-            for column in -radius..=radius {
-                let corner = (corner + DVec2::new(f64::from(column), f64::from(row))).clamp(low, high);
-                let value = self.warped(behind_at(corner));
-                sum += DVec2::new(value, value * value);
+        for values in window.chunks_exact(across + 1).skip(row).take(across) {
+            for value in &values[column..column + across] {
+                sum += DVec2::new(*value, value * value);
             }
         }
-        sum / f64::from((2 * radius + 1) * (2 * radius + 1))
+        sum / (across * across) as f64
     }
 }

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::PixelFootprint;
 use super::edges::{Lattice, Marks};
 use super::statistics::Percentiles;
+use super::true_edges::EdgeSet;
 
 /// Edge displacement in both directions.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
@@ -30,10 +31,8 @@ pub struct Distances {
 
 impl Displacement {
     pub(super) fn between(
-        map_edges: &Marks,
-        to_true: &[f64],
-        true_edges: &Marks,
-        to_map: &[f64],
+        (map_edges, to_map): (&Marks, &[f64]),
+        EdgeSet { edges: true_edges, distances: to_true }: &EdgeSet,
         to_crease: &[f64],
         footprints: &[Option<PixelFootprint>],
     ) -> Self {

@@ -11,14 +11,16 @@ pub(super) fn transform(marks: &Marks) -> Vec<f64> {
     let (width, height) = (marks.lattice.width, marks.lattice.height);
     let farthest = (width * width + height * height) as f64;
 
-    // Find the nearest mark in each column by two sweeps.
+    // Find the nearest mark in each column by two sweeps, all columns side by side.
     let mut squared = vec![farthest; width * height];
-    for x in 0..width {
-        let mut steps = f64::INFINITY;
-        for y in (0..height).chain((0..height).rev()) {
-            let place = y * width + x;
-            steps = if marks.marked[place] { 0.0 } else { steps + 1.0 };
-            squared[place] = squared[place].min(steps * steps);
+    let mut steps = vec![f64::INFINITY; width];
+    for y in (0..height).chain((0..height).rev()) {
+        let row = y * width..(y + 1) * width;
+        for ((squared, marked), steps) in
+            squared[row.clone()].iter_mut().zip(&marks.marked[row]).zip(&mut steps)
+        {
+            *steps = if *marked { 0.0 } else { *steps + 1.0 };
+            *squared = squared.min(*steps * *steps);
         }
     }
 

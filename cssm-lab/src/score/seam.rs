@@ -60,10 +60,10 @@ pub struct Meeting {
 }
 
 impl Seam {
-    /// Along all boundaries and those on one surface. Absent when no boundary is visible.
+    /// Along all boundaries and those on one surface; `to_map` is the distance from each place to the map's edges. Absent when no boundary is visible.
     pub(super) fn along(
         (boundaries, meetings): (&Marks, &Marks),
-        (true_edges, map_edges): (&Marks, &Marks),
+        (true_edges, to_map): (&Marks, &[f64]),
         footprints: &[Option<PixelFootprint>],
         verdicts: &[Option<Verdict>],
         lattice: Lattice,
@@ -71,7 +71,6 @@ impl Seam {
         boundaries.places().next()?;
         let to_boundary = distance::transform(boundaries);
         let to_meeting = distance::transform(meetings);
-        let to_map = distance::transform(map_edges);
         let (mut strip, mut elsewhere, mut nearby) = (Vec::new(), Vec::new(), Vec::new());
         let (mut meeting_strip, mut meeting_nearby) = (Vec::new(), Vec::new());
         for place in true_edges.places() {

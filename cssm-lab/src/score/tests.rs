@@ -60,7 +60,7 @@ impl Map {
             visibility: &self.visibility,
             footprints: &self.footprints,
             facets: &self.facets,
-            fine,
+            true_edges: &TrueEdges::of(frame, fine),
         })
     }
 }

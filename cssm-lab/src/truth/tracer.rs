@@ -131,8 +131,9 @@ impl Tracer {
                     }
                 }
                 Node::Inner { children, boxes } => {
-                    let entered = boxes.map(|slab| slab.entered(origin, inverse, start, limit));
-                    match entered {
+                    let [one, two] = boxes;
+                    let entered = |slab: &Slab| slab.entered(origin, inverse, start, limit);
+                    match [entered(one), entered(two)] {
                         [Some(one), Some(two)] if one <= two => stack.extend([children[1], children[0]]),
                         [Some(_), Some(_)] => stack.extend(*children),
                         [Some(_), None] => stack.push(children[0]),

@@ -33,8 +33,8 @@ struct Sweep<'a> {
     boxes: &'a [BoundingBox],
     /// Size of the box around what follows each tried cut.
     after: Vec<f64>,
-    /// The triangles in the order along the axis being tried.
-    tried: Vec<u32>,
+    /// Twice the triangles' centres along the axis being tried, in order, and the triangles.
+    tried: Vec<(f64, u32)>,
 }
 
 impl Sweep<'_> {
@@ -50,21 +50,19 @@ impl Sweep<'_> {
             }
         }
         self.sort_along(best.2, part);
-        part.copy_from_slice(&self.tried);
+        part.iter_mut().zip(&self.tried).for_each(|(triangle, (_, tried))| *triangle = *tried);
         best.1
     }
 
     /// Fills `tried` in the order of the triangles' centres along an axis; equal ones keep the order given to the mesh.
     fn sort_along(&mut self, axis: usize, part: &[u32]) {
-        let centre = |triangle: u32| {
-            let bounds = &self.boxes[triangle as usize];
-            bounds.min[axis] + bounds.max[axis]
+        let placed = |triangle: &u32| {
+            let bounds = &self.boxes[*triangle as usize];
+            (bounds.min[axis] + bounds.max[axis], *triangle)
         };
         self.tried.clear();
-        self.tried.extend_from_slice(part);
-        self.tried.sort_unstable_by(|one, other| {
-            centre(*one).total_cmp(&centre(*other)).then_with(|| one.cmp(other))
-        });
+        self.tried.extend(part.iter().map(placed));
+        self.tried.sort_unstable_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
     }
 
     /// Cost and place of the best cut of `tried`.
@@ -97,7 +95,7 @@ impl Sweep<'_> {
 
     /// A box and the boxes of a range of `tried`.
     fn grown(&self, bounds: Option<BoundingBox>, range: std::ops::Range<usize>) -> Option<BoundingBox> {
-        let more = self.tried[range].iter().map(|triangle| self.boxes[*triangle as usize]);
+        let more = self.tried[range].iter().map(|(_, triangle)| self.boxes[*triangle as usize]);
         around(bounds.into_iter().chain(more))
     }
 }

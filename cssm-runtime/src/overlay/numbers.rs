@@ -5,47 +5,26 @@ use cssm_core::glam::{DMat3, DVec3, DVec4};
 use cssm_core::remap::Curve;
 use cssm_core::{ShadowPlan, View};
 
+use super::records::{
+    FacetRows, FacetSettings, PlanRows, ROW_TEXELS, Record, TileRows, TileSettings, rows_of,
+};
 use super::{OverlayLook, OverlayTile, facet_colour};
 
-/// Texels of a row of the texture.
-const ROW_TEXELS: usize = 256;
-/// Rows of a tile: its rectangle and its colour.
-pub(super) const TILE_ROWS: usize = 2;
 /// What names no facet.
 const NO_FACET: f32 = -1.0;
+/// Thresholds of a row.
+const LIMITS: usize = 4;
+/// What names curves.
+pub(super) const STRAIGHT: f64 = 0.0;
+pub(super) const PERSPECTIVE: f64 = 1.0;
+pub(super) const LOGARITHMIC: f64 = 2.0;
 
 /// A uniform and rows.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Numbers {
     settings: Vec<u8>,
-    pub(super) rows: Vec<[f32; 4]>,
+    rows: Vec<[f32; 4]>,
 }
-
-/// The settings of the overlay of facets, in the layout of its shader.
-#[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C)]
-struct FacetSettings {
-    ray_corner: [f32; 4],
-    ray_across: [f32; 4],
-    ray_down: [f32; 4],
-    inverse_depth: [f32; 2],
-    opacity: f32,
-    checker_texels: f32,
-    sectors: u32,
-    bands: u32,
-    has_split: u32,
-    has_dominant: u32,
-    borders: u32,
-    distances: u32,
-    units: u32,
-    thresholds: u32,
-    cells: u32,
-    facets: u32,
-    cell_count: u32,
-    unused_last: u32,
-}
-
-const _: () = assert!(size_of::<FacetSettings>() == 112);
 
 /// Rows that grow, in camera axes.
 struct Rows {
@@ -58,31 +37,44 @@ impl Rows {
     fn add<'r>(&mut self, rows: impl IntoIterator<Item = &'r DVec4>) -> u32 {
         let start = self.rows.len();
         for row in rows {
-            let turned = (self.camera_from_world * row.truncate()).extend(row.w);
-            self.rows.push(turned.as_vec4().to_array());
+            let turned = self.turned(row);
+            self.rows.push(turned);
         }
         if self.rows.len() > start { start as u32 } else { 0 }
+    }
+
+    /// Appends a record.
+    fn push(&mut self, record: &impl Record) {
+        self.rows.extend_from_slice(rows_of(record));
+    }
+
+    /// A row of a plan in camera axes.
+    fn turned(&self, row: &DVec4) -> [f32; 4] {
+        (self.camera_from_world * row.truncate()).extend(row.w).as_vec4().to_array()
     }
 
     /// Appends a facet.
     fn add_facet(&mut self, facet: &Facet) {
         let remap = &facet.rows.remap;
-        let (curve, shift, horizon) = match remap.curve {
-            Curve::Straight => ([0.0, 0.0], remap.shift, 0.0),
-            Curve::Perspective { push_back_metres } => ([1.0, push_back_metres], remap.shift, 0.0),
+        let (curve, shift, figure) = match remap.curve {
+            Curve::Straight => (STRAIGHT, remap.shift, 0.0),
+            Curve::Perspective { push_back_metres } => (PERSPECTIVE, remap.shift, push_back_metres),
             // The logarithm of the reference is a part of the shift.
             Curve::Logarithmic { reference_metres, horizon_metres } => {
-                ([2.0, 0.0], remap.shift - remap.scale * reference_metres.ln(), horizon_metres)
+                let shift = remap.shift - remap.scale * reference_metres.ln();
+                (LOGARITHMIC, shift, horizon_metres.min(f64::from(f32::MAX)))
             }
         };
         let tile = &facet.tile;
-        self.add([&facet.rows.x, &facet.rows.y, &facet.rows.w]);
-        self.rows.push([curve[0], remap.scale, shift, curve[1]].map(|value| value as f32));
-        self.rows.push([(horizon as f32).min(f32::MAX), 0.0, 0.0, 0.0]);
-        self.rows.push([tile.x, tile.y, tile.width, tile.height].map(|value| value as f32));
         let [red, green, blue] = facet_colour(facet.first_cell());
-        self.rows.push([red, green, blue, 1.0]);
-        self.rows.push([0.0; 4]);
+        self.push(&FacetRows {
+            x: self.turned(&facet.rows.x),
+            y: self.turned(&facet.rows.y),
+            w: self.turned(&facet.rows.w),
+            curve: [curve, remap.scale, shift, figure].map(|value| value as f32),
+            tile: [tile.x, tile.y, tile.width, tile.height].map(|value| value as f32),
+            colour: [red, green, blue, 1.0],
+        });
     }
 }
 
@@ -91,13 +83,17 @@ pub(super) fn facet_numbers(plan: &ShadowPlan, view: &View, look: &OverlayLook) 
     let selection = &plan.selection;
     let mut rows = Rows { camera_from_world: view.camera_from_world, rows: Vec::new() };
     let [near, front] = selection.dominant.unwrap_or([DVec4::ZERO; 2]);
-    rows.add([&near, &front, &selection.split.unwrap_or(DVec4::ZERO)]);
+    rows.push(&PlanRows {
+        dominant: rows.turned(&near),
+        dominant_front: rows.turned(&front),
+        split: rows.turned(&selection.split.unwrap_or(DVec4::ZERO)),
+    });
     let borders = rows.add(&selection.borders);
     let distances = rows.add(&selection.distances);
     let units = rows.add(&selection.units);
     let thresholds = rows.rows.len() as u32;
     for limits in &selection.thresholds {
-        rows.rows.extend(limits.chunks(4).map(|limits| {
+        rows.rows.extend(limits.chunks(LIMITS).map(|limits| {
             let limit = |at: usize| limits.get(at).map_or(f32::MAX, |limit| (*limit as f32).min(f32::MAX));
             std::array::from_fn(limit)
         }));
@@ -137,22 +133,24 @@ pub(super) fn facet_numbers(plan: &ShadowPlan, view: &View, look: &OverlayLook) 
         distances,
         units,
         thresholds,
+        threshold_rows: selection.bands.saturating_sub(1).div_ceil(LIMITS as u32),
         cells: cells as u32,
-        facets,
         cell_count,
-        unused_last: 0,
+        facets,
     };
     Numbers { settings: bytemuck::bytes_of(&settings).to_vec(), rows: rows.rows }
 }
 
 /// The tiles of a map of some size.
 pub(super) fn tile_numbers(tiles: &[OverlayTile], map_texels: (u32, u32), outline_pixels: f32) -> Numbers {
-    let settings = [map_texels.0 as f32, map_texels.1 as f32, outline_pixels, 0.0];
-    let rows = tiles.iter().flat_map(|OverlayTile { tile, colour: [red, green, blue] }| {
+    let map_texels = [map_texels.0 as f32, map_texels.1 as f32];
+    let settings = TileSettings { map_texels, outline_pixels, unused_last: 0.0 };
+    let mut rows = Vec::new();
+    for OverlayTile { tile, colour: [red, green, blue] } in tiles {
         let rectangle = [tile.x, tile.y, tile.width, tile.height].map(|value| value as f32);
-        [rectangle, [*red, *green, *blue, 1.0]]
-    });
-    Numbers { settings: bytemuck::bytes_of(&settings).to_vec(), rows: rows.collect() }
+        rows.extend_from_slice(rows_of(&TileRows { rectangle, colour: [*red, *green, *blue, 1.0] }));
+    }
+    Numbers { settings: bytemuck::bytes_of(&settings).to_vec(), rows }
 }
 
 impl Numbers {

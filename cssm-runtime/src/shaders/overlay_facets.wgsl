@@ -1,40 +1,10 @@
 // Colours every pixel by the facet that it reads: the walk of the plan as data, whichever shape it has.
-
-struct Settings {
-    // Ray of the image's upper left corner, and its change across and down the image, camera axes, at depth 1.
-    ray_corner: vec4<f32>,
-    ray_across: vec4<f32>,
-    ray_down: vec4<f32>,
-    // From stored reversed depth to one over depth: a factor and a summand.
-    inverse_depth: vec2<f32>,
-    // Opacity, and the texels of a square of the checker; 0: no checker.
-    opacity: f32,
-    checker_texels: f32,
-    // Sectors of a half and bands of a sector; 1 where there is a split, and where there is a dominant plane.
-    sectors: u32,
-    bands: u32,
-    has_split: u32,
-    has_dominant: u32,
-    // Rows of the numbers at which borders, distances, units and thresholds begin; 0 where there are none.
-    borders: u32,
-    distances: u32,
-    units: u32,
-    thresholds: u32,
-    // Rows at which the cells' facets and the facets begin; cells.
-    cells: u32,
-    facets: u32,
-    cell_count: u32,
-    unused_last: u32,
-}
+// `Settings`, and the names of rows and curves, stand before this text.
 
 @group(0) @binding(0) var<uniform> settings: Settings;
 @group(0) @binding(1) var numbers: texture_2d<f32>;
 @group(0) @binding(2) var stored_depth: texture_depth_2d;
 @group(0) @binding(3) var linear_depth: texture_2d<f32>;
-
-const ROW_TEXELS: u32 = 256u;
-const FACET_ROWS: u32 = 8u;
-const NO_CELL: u32 = 0xffffffffu;
 
 fn number(index: u32) -> vec4<f32> {
     return textureLoad(numbers, vec2<u32>(index % ROW_TEXELS, index / ROW_TEXELS), 0);
@@ -49,7 +19,7 @@ fn overlay_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<
 
 // The sector of a point, halves counted through.
 fn sector_of(point: vec4<f32>) -> u32 {
-    let is_behind = settings.has_split == 1u && dot(number(2u), point) < 0.0;
+    let is_behind = settings.has_split == 1u && dot(number(PLAN_SPLIT), point) < 0.0;
     let half = u32(is_behind);
     let start = half * settings.sectors;
     if settings.borders == 0u {
@@ -71,7 +41,9 @@ fn sector_of(point: vec4<f32>) -> u32 {
 }
 
 fn cell_of(point: vec4<f32>) -> u32 {
-    if settings.has_dominant == 1u && abs(dot(number(0u), point)) <= point.w && dot(number(1u), point) >= 0.0 {
+    if settings.has_dominant == 1u
+        && abs(dot(number(PLAN_DOMINANT), point)) <= point.w
+        && dot(number(PLAN_DOMINANT_FRONT), point) >= 0.0 {
         return settings.cell_count - 1u;
     }
     let sector = sector_of(point);
@@ -82,9 +54,8 @@ fn cell_of(point: vec4<f32>) -> u32 {
         if settings.units > 0u {
             unit = dot(number(settings.units + sector), point);
         }
-        let rows = (settings.bands + 2u) / 4u;
         for (var limit = 0u; limit + 1u < settings.bands; limit++) {
-            let limits = number(settings.thresholds + sector * rows + limit / 4u);
+            let limits = number(settings.thresholds + sector * settings.threshold_rows + limit / 4u);
             band += u32(distance >= limits[limit % 4u] * unit);
         }
     }
@@ -104,13 +75,14 @@ fn depth_of_stored(stored: f32) -> f32 {
 }
 
 // What y/w of a bent facet becomes.
-fn bent(curve: vec4<f32>, horizon: f32, k: f32) -> f32 {
+fn bent(curve: vec4<f32>, k: f32) -> f32 {
     var value = k;
-    if curve.x == 1.0 {
+    if curve.x == PERSPECTIVE {
         value = k / (1.0 + curve.w * k);
     }
-    if curve.x == 2.0 {
+    if curve.x == LOGARITHMIC {
         // The reference is in the shift already.
+        let horizon = curve.w;
         value = -log(max(k, 1e-30));
         if k * horizon <= 1.0 {
             value = log(horizon) + 1.0 - horizon * k;
@@ -130,14 +102,14 @@ fn shade(point: vec4<f32>, right: vec4<f32>, below: vec4<f32>) -> vec4<f32> {
         return vec4<f32>(0.0);
     }
     let facet = settings.facets + u32(owner) * FACET_ROWS;
-    var colour = number(facet + 6u).rgb;
+    var colour = number(facet + FACET_COLOUR).rgb;
 
     // Draw texels as a checker.
     if settings.checker_texels > 0.0 {
-        let w = dot(number(facet + 2u), point);
-        let tile = number(facet + 5u);
-        let x = dot(number(facet), point) / w;
-        let y = bent(number(facet + 3u), number(facet + 4u).x, dot(number(facet + 1u), point) / w);
+        let w = dot(number(facet + FACET_W), point);
+        let tile = number(facet + FACET_TILE);
+        let x = dot(number(facet + FACET_X), point) / w;
+        let y = bent(number(facet + FACET_CURVE), dot(number(facet + FACET_Y), point) / w);
         let texel = tile.xy + vec2<f32>(0.5 + 0.5 * x, 0.5 - 0.5 * y) * tile.zw;
         let square = vec2<i32>(floor(texel / settings.checker_texels));
         if ((square.x + square.y) & 1) == 1 {

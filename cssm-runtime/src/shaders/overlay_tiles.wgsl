@@ -1,19 +1,11 @@
 // The map as it is, texel for texel: depths as grey between the nearest and the farthest of their tile, tiles outlined.
-
-struct Settings {
-    // Size of the map in texels.
-    map_texels: vec2<f32>,
-    // Width of outlines in pixels of the picture.
-    outline_pixels: f32,
-    unused_last: f32,
-}
+// `Settings` and the names of rows stand before this text.
 
 @group(0) @binding(0) var<uniform> settings: Settings;
-// A rectangle and a colour for each tile.
+// The rows of each tile.
 @group(0) @binding(1) var numbers: texture_2d<f32>;
 @group(0) @binding(2) var map: texture_depth_2d;
 
-const ROW_TEXELS: u32 = 256u;
 // Texels across and down a tile that its range of depths is taken from.
 const SAMPLES: u32 = 16u;
 
@@ -37,7 +29,7 @@ fn is_drawn(depth: f32) -> bool {
 
 @vertex
 fn tiles_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) tile: u32) -> Corner {
-    let rectangle = number(2u * tile);
+    let rectangle = number(TILE_ROWS * tile + TILE_RECTANGLE);
     var range = vec2<f32>(1.0, 0.0);
     for (var at = 0u; at < SAMPLES * SAMPLES; at++) {
         let share = (vec2<f32>(vec2<u32>(at % SAMPLES, at / SAMPLES)) + 0.5) / f32(SAMPLES);
@@ -50,7 +42,8 @@ fn tiles_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) tile
     let corner = vec2<f32>(f32(index == 1u || index == 2u || index == 4u), f32(index == 2u || index >= 4u));
     let texel = rectangle.xy + corner * rectangle.zw;
     let place = texel / settings.map_texels * 2.0 - 1.0;
-    return Corner(vec4<f32>(place.x, -place.y, 0.0, 1.0), texel, rectangle, number(2u * tile + 1u), range);
+    let colour = number(TILE_ROWS * tile + TILE_COLOUR);
+    return Corner(vec4<f32>(place.x, -place.y, 0.0, 1.0), texel, rectangle, colour, range);
 }
 
 @fragment

@@ -228,3 +228,17 @@ fn city_is_traced_in_seconds() {
     let shadowed = frame.visible().filter(|(_, pixel)| !pixel.lit).count();
     assert!(shadowed > 640 * 360 / 20 && frame.visible().count() > 640 * 360 / 2, "{shadowed}");
 }
+
+#[test]
+fn rays_along_the_sides_of_boxes_pass_through_no_seam() {
+    // Two sheets meet in the plane that the rays run in.
+    let places = [(0, DVec3::new(-1.0, 1.0, 0.0)), (0, DVec3::new(1.0, 1.0, 0.0))];
+    let tracer = Tracer::new(&scene(vec![quad(1.0)], &places));
+    let mut stack = Vec::new();
+    for z in [-0.7, 0.0, 0.3] {
+        for direction in [DVec3::NEG_Y, DVec3::new(0.0, -1.0, 0.1)] {
+            let hit = tracer.nearest(DVec3::new(0.0, 3.0, z), direction, 0.0, f64::INFINITY, &mut stack);
+            assert_eq!(hit.map(|hit| hit.distance), Some(2.0), "{direction} at z {z}");
+        }
+    }
+}

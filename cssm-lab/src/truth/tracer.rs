@@ -47,7 +47,8 @@ impl Slab {
     #[inline]
     fn entered(&self, origin: DVec3, inverse: DVec3, start: f64, end: f64) -> Option<f64> {
         let (one, two) = ((self.min - origin) * inverse, (self.max - origin) * inverse);
-        // A ray in the plane of a side gives NaN, which min and max of floats skip: the box counts as met.
+        // A ray in the plane of a side gives NaN, which min and max of floats skip. Such a box may count as missed:
+        // boxes are wider than what they hold, so nothing lies in their sides.
         let axis = |one: f64, two: f64| (one.min(two), one.max(two));
         let ((x_in, x_out), (y_in, y_out), (z_in, z_out)) =
             (axis(one.x, two.x), axis(one.y, two.y), axis(one.z, two.z));

@@ -9,7 +9,7 @@ use smallvec::SmallVec;
 
 use crate::facet::FacetRows;
 use crate::plan::DepthOrder;
-use crate::receivers::{DEPTH_ROW, Polytope, is_negligible};
+use crate::receivers::{Body, DEPTH_ROW, Polytope, is_negligible};
 
 /// A depth row and its slope.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +28,7 @@ pub(crate) struct DepthNeeds<'a> {
     /// The light as a homogeneous point, camera axes.
     pub light: DVec4,
     /// Everything that needs a depth.
-    pub receivers: &'a Polytope,
+    pub receivers: Body<'a>,
     /// Kept free before and behind the receivers, metres along the light per w.
     pub margin_metres_per_w: f64,
     /// Kept free before the receivers besides, for casters whose distance is to be told, metres along the light per w, or, for
@@ -64,10 +64,10 @@ pub(crate) fn depth_rows(
     let told_apart = Part::of(needs.receivers, w * needs.farthest_metres_per_w - DEPTH_ROW);
 
     // A local light among the receivers needs a near plane; floats keep their precision whatever it is.
-    let whole = needs.near_w.map(|near_w| (told_apart.polytope(), w - DVec4::W * near_w));
+    let whole = needs.near_w.map(|near_w| (told_apart.body(), w - DVec4::W * near_w));
     let from_light = whole.map(|(whole, near)| Part::of(whole, near));
     let part = from_light.as_ref().unwrap_or(&told_apart);
-    let receivers = part.polytope();
+    let receivers = part.body();
     let beside = [Some(&told_apart), from_light.as_ref()].into_iter().flatten().filter_map(Part::beside);
     let places = places(receivers, w, needs.light);
     let terms = Terms::of(w, needs, samples);
@@ -113,14 +113,14 @@ pub(crate) fn depth_rows(
 )]
 enum Part<'a> {
     /// The whole polytope lies on the plane's right side.
-    Whole(&'a Polytope, DVec4),
+    Whole(Body<'a>, DVec4),
     /// The plane would leave nothing.
-    Kept(&'a Polytope),
+    Kept(Body<'a>),
     Cut(Polytope),
 }
 
 impl<'a> Part<'a> {
-    fn of(whole: &'a Polytope, plane: DVec4) -> Self {
+    fn of(whole: Body<'a>, plane: DVec4) -> Self {
         if whole.vertices.iter().all(|vertex| plane.dot(*vertex) >= 0.0) {
             return Self::Whole(whole, plane);
         }
@@ -128,10 +128,10 @@ impl<'a> Part<'a> {
         if cut.is_empty() { Self::Kept(whole) } else { Self::Cut(cut) }
     }
 
-    fn polytope(&self) -> &Polytope {
+    fn body(&self) -> Body<'_> {
         match self {
-            Self::Whole(whole, _) | Self::Kept(whole) => whole,
-            Self::Cut(cut) => cut,
+            Self::Whole(whole, _) | Self::Kept(whole) => *whole,
+            Self::Cut(cut) => cut.body(),
         }
     }
 
@@ -146,7 +146,7 @@ impl<'a> Part<'a> {
 
 /// The receivers' vertices with w = 1, and how much a metre along the light counts there: the less, the farther a local
 /// light is. Vertices whose w vanishes are passed over, see [`Polytope::ratio_range`].
-fn places(receivers: &Polytope, w: DVec4, light: DVec4) -> SmallVec<[(DVec4, f64); 24]> {
+fn places(receivers: Body<'_>, w: DVec4, light: DVec4) -> SmallVec<[(DVec4, f64); 24]> {
     let place = |vertex: &DVec4| {
         let scale = w.dot(*vertex);
         let per_metre = 1.0 / light_distance(light, *vertex).max(f64::MIN_POSITIVE);

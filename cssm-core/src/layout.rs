@@ -15,6 +15,7 @@ pub use self::spread::Spread;
 use crate::facet::Tile;
 use crate::plan::PlanError;
 use crate::technique::TileRequest;
+use smallvec::SmallVec;
 
 /// Smallest side of a tile's inner part, in texels.
 const SMALLEST_INNER_SIDE: u32 = 4;
@@ -122,19 +123,39 @@ pub(crate) const fn is_balanced(request: TileRequest) -> bool {
 /// # Errors
 /// [`PlanError::MapTooSmall`] when they do not fit.
 pub fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Placement>, PlanError> {
-    if demands.iter().all(|demand| is_balanced(demand.request)) {
-        return equal::place(demands, area);
-    }
-    let fixed: Option<Vec<(u32, u32)>> = demands
-        .iter()
-        .map(|demand| match demand.request {
+    let mut placed = Vec::new();
+    Layout::default().place(demands, area, &mut placed)?;
+    Ok(placed)
+}
+
+/// What placing tiles works in.
+#[derive(Debug, Default)]
+pub(crate) struct Layout {
+    search: equal::Search,
+    tiles: Vec<Tile>,
+}
+
+impl Layout {
+    /// [`place`], into a list.
+    pub(crate) fn place(
+        &mut self,
+        demands: &[TileDemand],
+        area: &MapArea,
+        placed: &mut Vec<Placement>,
+    ) -> Result<(), PlanError> {
+        if demands.iter().all(|demand| is_balanced(demand.request)) {
+            return self.search.place(demands, area, placed);
+        }
+        let sizes = demands.iter().map(|demand| match demand.request {
             TileRequest::Fixed(width, height) => Some((width, height)),
             _ => None,
-        })
-        .collect();
-    let tiles = match fixed {
-        Some(sizes) => fixed::place(&sizes, area),
-        None => shares::place(demands, area),
-    }?;
-    Ok(tiles.into_iter().map(|tile| Placement { tile, turned: false }).collect())
+        });
+        match sizes.collect::<Option<SmallVec<[(u32, u32); 16]>>>() {
+            Some(sizes) => fixed::place(&sizes, area, &mut self.tiles)?,
+            None => shares::place(demands, area, &mut self.tiles)?,
+        }
+        placed.clear();
+        placed.extend(self.tiles.iter().map(|tile| Placement { tile: *tile, turned: false }));
+        Ok(())
+    }
 }

@@ -61,7 +61,7 @@ pub fn area(outline: &[DVec2]) -> f64 {
 }
 
 /// Convex hull by monotone chains, counter-clockwise.
-fn hull(mut points: Outline) -> Outline {
+pub(crate) fn hull(mut points: Outline) -> Outline {
     points.retain(|point| point.is_finite());
     points.sort_unstable_by(|one, two| one.x.total_cmp(&two.x).then(one.y.total_cmp(&two.y)));
     points.dedup();

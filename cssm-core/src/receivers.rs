@@ -7,14 +7,20 @@
 use glam::{DMat3, DVec3, DVec4};
 use smallvec::SmallVec;
 
+mod bodies;
+mod slices;
+
+pub use self::bodies::BodyPlace;
+pub(crate) use self::bodies::Bodies;
+pub(crate) use self::slices::Slices;
 use crate::plan::BoundingBox;
 use crate::view::View;
 
 /// Row of the depth along the view axis, camera space.
 pub(crate) const DEPTH_ROW: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
 
-/// Vertices that need no allocation.
-const FEW: usize = 32;
+/// Vertices that need no allocation: more than views cut by what a light reaches have.
+const FEW: usize = 48;
 /// Planes that need no allocation.
 const FEW_PLANES: usize = 32;
 
@@ -29,6 +35,16 @@ pub struct Polytope {
     incidence: SmallVec<[u64; FEW]>,
     /// Whether it is a view's frustum that nothing was cut off.
     is_frustum: bool,
+}
+
+/// A convex polytope that lies elsewhere.
+#[derive(Debug, Clone, Copy)]
+pub struct Body<'a> {
+    /// Vertices, homogeneous, w >= 0.
+    pub vertices: &'a [DVec4],
+    /// Half-spaces h.X >= 0 whose meet is the polytope.
+    pub planes: &'a [DVec4],
+    incidence: &'a [u64],
 }
 
 /// Distance from a plane, relative to plane and point, below which a vertex counts as lying on it.
@@ -131,9 +147,7 @@ impl Polytope {
             return;
         }
 
-        // Points count as one within the rounding of a metre, or of the whole where that is smaller.
-        let finite = self.vertices.iter().filter(|vertex| vertex.w > 0.0);
-        let size = finite.map(|vertex| vertex.truncate().abs().max_element()).fold(0.0, f64::max).min(1.0);
+        let size = finite_size(&self.vertices);
 
         // Find a vertex on every edge that crosses.
         let mut crossings: SmallVec<[(DVec4, u64); 16]> = SmallVec::new();
@@ -170,24 +184,19 @@ impl Polytope {
         }
     }
 
-    /// The planes that two vertices share, if an edge joins them: no third vertex lies on all of them (the double
-    /// description method's test, which also holds where planes repeat or the polytope is flat).
+    /// The planes that two vertices share, if an edge joins them.
     fn edge(&self, a: usize, b: usize) -> Option<u64> {
-        let shared = self.incidence[a] & self.incidence[b];
-        if shared.count_ones() < 2 {
-            return None;
-        }
-        let between = |(c, planes): (usize, &u64)| c != a && c != b && planes & shared == shared;
-        (!self.incidence.iter().enumerate().any(between)).then_some(shared)
+        edge(&self.incidence, a, b)
     }
 
     /// The polytope cut by several half-spaces.
     pub fn cut_by(&self, planes: &[DVec4]) -> Self {
-        let mut cut = self.copied();
-        for plane in planes {
-            cut.cut(*plane);
-        }
-        cut
+        self.body().cut_by(planes)
+    }
+
+    /// The polytope where it lies.
+    pub fn body(&self) -> Body<'_> {
+        Body { vertices: &self.vertices, planes: &self.planes, incidence: &self.incidence }
     }
 
     /// A copy: numbers are copied as a whole.
@@ -218,6 +227,42 @@ impl Polytope {
     /// Whether a homogeneous point lies inside, borders included.
     pub fn contains(&self, point: DVec4) -> bool {
         self.planes.iter().all(|plane| plane.dot(point) >= 0.0)
+    }
+
+    /// [`Body::range`].
+    pub fn range(&self, row: DVec4) -> (f64, f64) {
+        self.body().range(row)
+    }
+
+    /// [`Body::quotient_range`].
+    pub fn quotient_range(&self, row: DVec4, unit: DVec4) -> (f64, f64) {
+        self.body().quotient_range(row, unit)
+    }
+
+    /// [`Body::ratio_range`].
+    pub fn ratio_range(&self, row: DVec4, w: DVec4) -> (f64, f64) {
+        self.body().ratio_range(row, w)
+    }
+}
+
+impl Body<'_> {
+    /// Whether nothing is left that could have an area in the light's view.
+    pub fn is_empty(&self) -> bool {
+        self.vertices.len() < 3
+    }
+
+    /// The polytope cut by several half-spaces.
+    pub fn cut_by(&self, planes: &[DVec4]) -> Polytope {
+        let mut cut = Polytope {
+            vertices: SmallVec::from_slice(self.vertices),
+            planes: SmallVec::from_slice(self.planes),
+            incidence: SmallVec::from_slice(self.incidence),
+            is_frustum: false,
+        };
+        for plane in planes {
+            cut.cut(*plane);
+        }
+        cut
     }
 
     /// Smallest and largest value of row.X / X.w over the vertices; infinite where a vertex at infinity makes it so.
@@ -252,6 +297,19 @@ impl Polytope {
     }
 }
 
+/// The planes that two vertices share, if an edge joins them, given the planes that each vertex lies on: no third vertex
+/// lies on all of them (the double description method's test, which also holds where planes repeat or the polytope is
+/// flat).
+fn edge(incidence: &[u64], a: usize, b: usize) -> Option<u64> {
+    let shared = incidence[a] & incidence[b];
+    if shared & shared.wrapping_sub(1) == 0 {
+        // No plane or one.
+        return None;
+    }
+    let holders = incidence.iter().filter(|planes| *planes & shared == shared);
+    (holders.count() == 2).then_some(shared)
+}
+
 /// Whether a row vanishes on a vertex, beside the sizes of its terms; at any scale of the world.
 pub(crate) fn is_negligible(value: f64, row: DVec4, vertex: DVec4) -> bool {
     // Sums of components are no less than lengths and cost no roots.
@@ -282,8 +340,18 @@ pub(crate) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |range, value| (range.0.min(value), range.1.max(value)))
 }
 
+/// Size within whose rounding points count as one: a metre, or the whole where that is smaller.
+fn finite_size(vertices: &[DVec4]) -> f64 {
+    let finite = vertices.iter().filter(|vertex| vertex.w > 0.0);
+    finite.map(|vertex| vertex.truncate().abs().max_element()).fold(0.0, f64::max).min(1.0)
+}
+
 /// Whether two normalised points are the same up to rounding.
 fn coincide(one: DVec4, two: DVec4, size: f64) -> bool {
+    // Most are far apart along the first axis.
+    if (one.x - two.x).abs() > ON_PLANE * (2.0 * two.truncate().abs().max_element()).max(size) {
+        return false;
+    }
     let largest = one.truncate().abs().max_element().max(size);
     (one.w > 0.0) == (two.w > 0.0) && (one - two).abs().max_element() <= ON_PLANE * largest
 }

@@ -1,7 +1,7 @@
 //! Bands: the logarithm of distance in equal steps, each step affine in 1 / (distance + push-back). Straight lines
 //! stay straight, so ordinary rasterisation is exact; the last band reaches to infinity where the view does.
 
-use super::{DistanceRange, DistributionSpec, Piece, RemapKind};
+use super::{DistanceRange, DistributionSpec, Piece, Pieces, RemapKind};
 use crate::remap::Curve;
 use crate::schema::{Arguments, Choice, Default, Field, Kind, Unit};
 
@@ -49,7 +49,7 @@ pub(super) fn horizon(arguments: &Arguments, start: f64) -> f64 {
     arguments.number(HORIZON.name).unwrap_or(DEFAULT_HORIZON_METRES).max(2.0 * start)
 }
 
-fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
+fn split(arguments: &Arguments, range: &DistanceRange) -> Pieces {
     let count = count(arguments);
     let core = range.core_metres;
 

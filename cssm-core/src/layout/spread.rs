@@ -7,8 +7,6 @@
 
 use std::array::from_fn;
 
-use smallvec::SmallVec;
-
 use super::Gram;
 use crate::plan::beams::{BEAMS, Beams};
 
@@ -37,9 +35,6 @@ const SHORTEST: f64 = 1e-6;
 /// Largest values that are kept sorted while values pass by; more are selected.
 const FEW: usize = 8;
 
-/// Scratch for values that are selected.
-type Values = SmallVec<[f64; 64]>;
-
 /// What the tile of some samples must span, upright or turned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
@@ -59,6 +54,7 @@ struct Extent {
 }
 
 /// Least lengths of a tile, upright or turned.
+#[derive(Debug)]
 pub(super) struct Curve {
     /// Least length at each width, upright or turned, whichever is shorter.
     pub(super) lengths: [f64; WIDTHS],
@@ -103,10 +99,9 @@ impl Spread {
     }
 
     /// What some samples span.
-    pub(crate) fn of(grams: &[Gram], may_turn: bool) -> Self {
-        let mut values = Values::new();
-        let across = quantile(grams.iter().map(|gram| gram.xx), &mut values);
-        let along = quantile(grams.iter().map(|gram| gram.yy), &mut values);
+    pub(crate) fn of(grams: &[Gram], may_turn: bool, values: &mut Vec<f64>) -> Self {
+        let across = quantile(grams.iter().map(|gram| gram.xx), values);
+        let along = quantile(grams.iter().map(|gram| gram.yy), values);
         let mut extent = |across: f64, along: f64, of: fn(&Gram) -> (f64, f64)| {
             let square = TRADED * across;
             let least = |gram: &Gram| {
@@ -114,7 +109,7 @@ impl Spread {
                 let free = square - across;
                 if free > 0.0 { along + gram.xy * gram.xy / free } else { f64::INFINITY }
             };
-            let length = quantile(grams.iter().map(least), &mut values);
+            let length = quantile(grams.iter().map(least), values);
             // Where many samples are as wide as the tile the length has no bound; what it may grow by has one.
             let rest = (length - along).clamp(0.0, MOST_TRADED * along);
             Extent { across, along, shear: rest * (square - across) }
@@ -136,15 +131,15 @@ impl Spread {
 
     /// Its least lengths.
     pub(super) fn curve(&self, may_turn: bool, widths: &[f64; WIDTHS]) -> Curve {
-        let upright = widths.map(|width| self.upright.length(width));
-        if !may_turn {
-            return Curve { lengths: upright, turned: [false; WIDTHS] };
+        let mut curve = Curve { lengths: [LONGEST; WIDTHS], turned: [false; WIDTHS] };
+        let lengths = curve.lengths.iter_mut().zip(&mut curve.turned);
+        for ((length, turned), width) in lengths.zip(widths) {
+            let upright = self.upright.square(width * width);
+            let lying = if may_turn { self.lying.square(width * width) } else { LONGEST * LONGEST };
+            *turned = lying < upright;
+            *length = if *turned { lying } else { upright }.sqrt();
         }
-        let lying = widths.map(|width| self.lying.length(width));
-        Curve {
-            lengths: std::array::from_fn(|index| upright[index].min(lying[index])),
-            turned: std::array::from_fn(|index| lying[index] < upright[index]),
-        }
+        curve
     }
 }
 
@@ -159,10 +154,11 @@ impl Extent {
         }
     }
 
-    /// Least length at a width.
-    fn length(&self, width: f64) -> f64 {
-        let free = width * width - self.across;
-        if free > 0.0 { (self.along + self.shear / free).sqrt().min(LONGEST) } else { LONGEST }
+    /// Square of the least length at the square of a width.
+    fn square(&self, width: f64) -> f64 {
+        let free = width - self.across;
+        let square = self.along + self.shear / free;
+        if free > 0.0 && square < LONGEST * LONGEST { square } else { LONGEST * LONGEST }
     }
 }
 
@@ -251,7 +247,7 @@ pub(super) fn widths(spreads: impl Iterator<Item = (Spread, bool)>) -> [f64; WID
 
 /// The value that a share of the samples does not exceed; harmonic between neighbours, so that infinity is reached
 /// continuously. `list` is scratch.
-fn quantile(values: impl ExactSizeIterator<Item = f64>, list: &mut Values) -> f64 {
+fn quantile(values: impl ExactSizeIterator<Item = f64>, list: &mut Vec<f64>) -> f64 {
     let count = values.len();
     let position = SHARE * count.saturating_sub(1) as f64;
     let (below, part) = (position as usize, position.fract());

@@ -10,7 +10,7 @@ use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use crate::facet::FacetRows;
 use crate::layout::Gram;
-use crate::receivers::{DEPTH_ROW, Polytope};
+use crate::receivers::{Body, DEPTH_ROW};
 
 /// Rays of a facet.
 pub(crate) const BEAMS: usize = SIDE * SIDE;
@@ -48,7 +48,7 @@ pub(crate) struct Seen<'a> {
     /// Its receivers in x/w and y/w.
     pub(crate) outline: &'a [DVec2],
     /// Its receivers.
-    pub(crate) receivers: &'a Polytope,
+    pub(crate) receivers: Body<'a>,
     /// The light as a homogeneous point.
     pub(crate) light: DVec4,
     /// Pixels of a tangent of 1.
@@ -122,10 +122,11 @@ impl Beams {
         beams
     }
 
-    /// The same after a quarter turn of the facet's clip space.
-    pub(crate) fn turned(mut self) -> Self {
-        self.grams = self.grams.map(|gram| gram.turned());
-        self
+    /// Follows a quarter turn of the facet's clip space.
+    pub(crate) fn turn(&mut self) {
+        for gram in &mut self.grams {
+            *gram = gram.turned();
+        }
     }
 
     /// How many texels the facet's clip space wants at a footprint of one pixel, in the mean.

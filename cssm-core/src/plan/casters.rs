@@ -11,17 +11,19 @@ const SHORTEST_EDGE: f64 = 1e-9;
 /// Filter taps beyond the receivers' silhouette, in texels, when the tile has no gutter.
 const FEWEST_TEXELS: f64 = 1.0;
 
-/// Half-spaces around everything whose shadow can reach receivers, given by their own half-spaces and their outline in
+/// Lists half-spaces around everything whose shadow can reach receivers, given by their own half-spaces and their outline in
 /// x/w and y/w, or the filter taps around them. All rows are in the space of `light`.
-pub(super) fn planes(
+pub(super) fn list_planes(
     rows: &FacetRows,
     tile: &Tile,
     receivers: &[DVec4],
     outline: &[DVec2],
     light: DVec4,
-) -> Vec<DVec4> {
+    planes: &mut Vec<DVec4>,
+) {
     // Below: moving away from the light never enters a half-space that faces it.
-    let mut planes = Vec::with_capacity(receivers.len() + outline.len().max(4) + 1);
+    planes.clear();
+    planes.reserve(receivers.len() + outline.len().max(4) + 1);
     let below = receivers.iter().map(|plane| *plane / plane.truncate().length());
     planes.extend(below.filter(|plane| plane.dot(light) > CONTAINS_LIGHT));
 
@@ -58,5 +60,4 @@ pub(super) fn planes(
 
     // In front of the facet's w = 0 plane nothing lands in the tile.
     planes.push(rows.w);
-    planes
 }

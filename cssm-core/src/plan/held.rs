@@ -39,6 +39,22 @@ pub struct PlanBasis {
     pub p95_pixels: f64,
 }
 
+impl PlanBasis {
+    /// What a plan of nothing was made from.
+    pub(super) const fn none() -> Self {
+        Self {
+            light: Light::Directional { toward_light_world: DVec3::Y },
+            follows_camera: false,
+            receivers: Vec::new(),
+            cut: Cut::None,
+            lit: Vec::new(),
+            ground_planes: [None; MOST_GROUND_PLANES],
+            samples: 0,
+            p95_pixels: 0.0,
+        }
+    }
+}
+
 /// How far beyond a half-space a receiver may lie, relative to the terms of its distance: rounding of eyes far from the
 /// world's origin.
 const COVERED: f64 = 1e-9;
@@ -130,7 +146,7 @@ impl ShadowPlan {
         let world_from_camera = view.camera_from_world.transpose();
         let way = view.eye_world - self.eye_world;
         let mut points = Points::new();
-        samples::sample(view, &receivers, self.basis.samples, &mut points);
+        samples::sample(view, &receivers, self.basis.samples, &mut |point| points.push(point));
         let mut footprints: SmallVec<[f64; 512]> = points
             .into_iter()
             .map(|point| {

@@ -6,7 +6,7 @@ use glam::{DVec3, DVec4};
 use super::standard::light_plane_axes;
 use super::warp::{LightPlane, WARPS, Warp, Warped};
 use super::{
-    ConfigurationSpec, Draft, FacetDraft, Fallback, Region, Situation, TechniqueSpec, TileRequest,
+    ConfigurationSpec, Drafts, FacetDraft, Fallback, Region, Situation, TechniqueSpec, TileRequest,
     only_directional, slabs,
 };
 use crate::case::LightKind;
@@ -65,7 +65,7 @@ const CONFIGURATION: ConfigurationSpec = ConfigurationSpec {
     draft,
 };
 
-fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, _: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
@@ -74,13 +74,15 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let (near, far) = situation.receivers.range(DEPTH_ROW);
     let limits = slabs::limits_metres(situation.case, near, far);
 
-    let mut fallback: Option<Fallback> = None;
-    let facets = (0..splits).map(|index| {
+    let draft = drafts.open(CONFIGURATION.choice.name, (1, splits));
+    draft.reserve(splits as usize);
+    for index in 0..splits {
         let slab = index as usize;
         let select = slabs::select(&limits, slab);
         let receivers = situation.receivers.cut_by(&select);
         let (rows, given) = rows(situation, &receivers);
-        fallback = [fallback, given].into_iter().flatten().max_by(|one, two| one.share.total_cmp(&two.share));
+        let fallbacks = [draft.fallback, given].into_iter().flatten();
+        draft.fallback = fallbacks.max_by(|one, two| one.share.total_cmp(&two.share));
         let region = Region::Tile(match arguments.sizes("sizes") {
             Some(sizes) => {
                 let (width, height) = situation.tile_size(sizes[slab]);
@@ -88,17 +90,10 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
             }
             None => TileRequest::Share(1.0 / f64::from(splits)),
         });
-        FacetDraft::straight(Cell::of(0, index), rows, (select, receivers), region)
-    });
-    let facets = facets.collect();
-    Ok(vec![Draft {
-        configuration: CONFIGURATION.choice.name,
-        form: "",
-        complete: true,
-        fallback,
-        facets,
-        selection: slabs::selection(limits),
-    }])
+        draft.push(FacetDraft::straight(Cell::of(0, index), rows, select, region), receivers.body());
+    }
+    slabs::select_by(&limits, &mut draft.selection);
+    Ok(())
 }
 
 /// Rows x, y and w of a slab, and how far its warp gives way.

@@ -2,6 +2,7 @@
 //! split").
 
 use glam::DVec4;
+use smallvec::SmallVec;
 
 use super::Sides;
 
@@ -75,14 +76,14 @@ pub(super) fn select(limits_metres: &[f64], slab: usize) -> Sides {
     farther.into_iter().chain(nearer).collect()
 }
 
-/// The walk of the slabs between inner limits.
-pub(super) fn selection(limits_metres: Vec<f64>) -> Selection {
-    let splits = limits_metres.len() as u32 + 1;
-    Selection { distances: vec![DEPTH_ROW], thresholds: vec![limits_metres], ..Selection::around(1, splits) }
+/// Adds inner limits between slabs to their walk.
+pub(super) fn select_by(limits_metres: &[f64], selection: &mut Selection) {
+    selection.distances.push(DEPTH_ROW);
+    selection.thresholds.extend_from_slice(limits_metres);
 }
 
 /// Depths of the inner limits, ascending (parallel-split slides, "split schemes").
-pub(super) fn limits_metres(case: &LightCase, near: f64, far: f64) -> Vec<f64> {
+pub(super) fn limits_metres(case: &LightCase, near: f64, far: f64) -> SmallVec<[f64; 8]> {
     let splits = count(case);
     let scheme = case.technique.arguments.word("scheme");
     let lambda = match scheme.map(|word| word.name) {

@@ -63,7 +63,7 @@ pub fn area(outline: &[DVec2]) -> f64 {
 /// Convex hull by monotone chains, counter-clockwise.
 pub(crate) fn hull(mut points: Outline) -> Outline {
     points.retain(|point| point.is_finite());
-    points.sort_unstable_by(|one, two| one.x.total_cmp(&two.x).then(one.y.total_cmp(&two.y)));
+    sort(&mut points);
     points.dedup();
     if points.len() < 3 {
         return points;
@@ -72,6 +72,23 @@ pub(crate) fn hull(mut points: Outline) -> Outline {
     chain(&mut outline, points.iter());
     chain(&mut outline, points.iter().rev());
     outline
+}
+
+/// Sorts points, few and mostly half in order, by x and then by y.
+fn sort(points: &mut [DVec2]) {
+    for end in 1..points.len() {
+        let point = points[end];
+        let mut place = end;
+        while place > 0 {
+            let before = points[place - 1];
+            if before.x < point.x || (before.x == point.x && before.y <= point.y) {
+                break;
+            }
+            points[place] = before;
+            place -= 1;
+        }
+        points[place] = point;
+    }
 }
 
 /// Adds a chain of sorted points, without its last, that turns left only.

@@ -75,21 +75,18 @@ impl Spread {
         let across = tail.quantile(&beams.grams.map(|gram| gram.xx));
         let along = tail.quantile(&beams.grams.map(|gram| gram.yy));
 
-        // How both trade, somewhat above the least width.
-        let extent = |across: f64, along: f64, of: fn(&Gram) -> (f64, f64)| {
-            let (square, longest) = (TRADED * across, (1.0 + MOST_TRADED) * along);
-            let least = |gram: &Gram, place: f64| {
-                let (across, along) = of(gram);
-                let (free, shear) = (square - across * place, gram.xy * place);
-                if free > 0.0 { (along * place + shear * shear / free).min(longest) } else { longest }
-            };
-            let low = from_fn(|i| least(&beams.grams[i], low[i]));
-            let high = from_fn(|i| least(&beams.grams[i], high[i]));
-            let length = Tail::of(&beams.weight, low, high).quantile(&[1.0; BEAMS]);
-            Extent { across, along, shear: (length - along).max(0.0) * (square - across) }
+        // How both trade, somewhat above the least width; one sample trades turned as it does upright.
+        let (square, longest) = (TRADED * across, (1.0 + MOST_TRADED) * along);
+        let least = |gram: &Gram, place: f64| {
+            let (free, shear) = (square - gram.xx * place, gram.xy * place);
+            if free > 0.0 { (gram.yy * place + shear * shear / free).min(longest) } else { longest }
         };
-        let upright = extent(across, along, |gram| (gram.xx, gram.yy));
-        let lying = if may_turn { extent(along, across, |gram| (gram.yy, gram.xx)) } else { Extent::NONE };
+        let low = from_fn(|i| least(&beams.grams[i], low[i]));
+        let high = from_fn(|i| least(&beams.grams[i], high[i]));
+        let length = Tail::of(&beams.weight, low, high).quantile(&[1.0; BEAMS]);
+        let shear = (length - along).max(0.0) * (square - across);
+        let upright = Extent { across, along, shear };
+        let lying = if may_turn { Extent { across: along, along: across, shear } } else { Extent::NONE };
         Self { upright, lying }
     }
 

@@ -187,7 +187,11 @@ fn cut(
     let at_infinity = (facet.light.w > 0.0).then_some(DVec4::W);
     for plane in facet.receivers.planes.iter().copied().chain(at_infinity) {
         let along = plane.dot(facet.light);
-        if along.abs() <= CONTAINS_LIGHT * plane.truncate().length().max(plane.w.abs()) {
+        // Sums of components are no less than lengths and cost no roots.
+        let size = plane.truncate().abs().element_sum().max(plane.w.abs());
+        if along.abs() <= CONTAINS_LIGHT * size
+            && along.abs() <= CONTAINS_LIGHT * plane.truncate().length().max(plane.w.abs())
+        {
             continue;
         }
         let [a, b, c] =

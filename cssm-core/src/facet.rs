@@ -235,6 +235,15 @@ impl Selection {
         self.units.clear();
     }
 
+    /// Makes room for so many cells.
+    pub(crate) fn reserve(&mut self, cells: usize) {
+        self.begin(1, 1);
+        self.borders.reserve(cells);
+        self.distances.reserve(cells);
+        self.thresholds.reserve(cells);
+        self.units.reserve(cells);
+    }
+
     /// Thresholds of a sector, halves counted through.
     pub fn limits(&self, sector: usize) -> &[f64] {
         let count = self.bands.saturating_sub(1) as usize;

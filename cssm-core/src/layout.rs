@@ -123,25 +123,34 @@ pub(crate) const fn is_balanced(request: TileRequest) -> bool {
 /// # Errors
 /// [`PlanError::MapTooSmall`] when they do not fit.
 pub fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Placement>, PlanError> {
-    let mut placed = Vec::new();
+    let mut placed = Placements::new();
     Layout::default().place(demands, area, &mut placed)?;
-    Ok(placed)
+    Ok(placed.into_vec())
 }
+
+/// Places of tiles.
+pub(crate) type Placements = SmallVec<[Placement; 4]>;
 
 /// What placing tiles works in.
 #[derive(Debug, Default)]
 pub(crate) struct Layout {
     search: equal::Search,
-    tiles: Vec<Tile>,
+    tiles: strips::Few<Tile>,
 }
 
 impl Layout {
+    /// Makes room for so many tiles.
+    pub(crate) fn make_room(&mut self, most: usize) {
+        self.search.make_room(most);
+        self.tiles.reserve(most.saturating_sub(self.tiles.len()));
+    }
+
     /// [`place`], into a list.
     pub(crate) fn place(
         &mut self,
         demands: &[TileDemand],
         area: &MapArea,
-        placed: &mut Vec<Placement>,
+        placed: &mut Placements,
     ) -> Result<(), PlanError> {
         if demands.iter().all(|demand| is_balanced(demand.request)) {
             return self.search.place(demands, area, placed);

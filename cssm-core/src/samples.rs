@@ -43,29 +43,23 @@ fn spread(view: &View, receivers: &Polytope, count: usize, add: &mut impl FnMut(
     }
 }
 
+/// Sample receivers of a view at most, unless tiles are sized by them or its pixels are known.
+pub(crate) const MOST: usize = (TRIES * COMPARED) as usize;
 /// Sample receivers; so many need no allocation.
-pub(crate) type Points = SmallVec<[DVec3; (TRIES * COMPARED) as usize]>;
+pub(crate) type Points = SmallVec<[DVec3; MOST]>;
 
 /// Sample receivers of a view by which drafts are compared.
 const COMPARED: u32 = 256;
-/// Sample receivers of a view where there is one draft.
-const ALONE: u32 = 128;
-/// The same where it has few facets, over which footprints go with depth, in which samples are even.
-const FEW: u32 = 64;
+/// Sample receivers of a view where there is one draft: footprints go with depth, in which samples are even.
+const ALONE: u32 = 64;
 /// Sample receivers of a view where tiles are sized by them, or its pixels are known.
 pub(crate) const COUNTED: u32 = 1024;
 /// Points that are tried for each sample of receivers that are no whole frustum.
 const TRIES: u32 = 2;
-/// Most facets that are few.
-const FEW_FACETS: usize = 4;
 
-/// Sample receivers by which so many drafts are judged, the first of which has so many facets.
-pub(crate) const fn count(drafts: usize, facets: usize) -> u32 {
-    match (drafts, facets) {
-        (0 | 1, 0..=FEW_FACETS) => FEW,
-        (0 | 1, _) => ALONE,
-        _ => COMPARED,
-    }
+/// Sample receivers by which so many drafts are judged.
+pub(crate) const fn count(drafts: usize) -> u32 {
+    if drafts > 1 { COMPARED } else { ALONE }
 }
 
 /// So many sample receivers of a view.

@@ -7,7 +7,7 @@
 
 use super::spread::{self, Curve, Spread, WIDTHS};
 use super::strips;
-use super::{MapArea, Placement, TileDemand};
+use super::{MapArea, Placement, Placements, TileDemand};
 use crate::facet::Tile;
 use crate::plan::PlanError;
 
@@ -138,7 +138,7 @@ impl Search {
         &mut self,
         demands: &[TileDemand],
         area: &MapArea,
-        placed: &mut Vec<Placement>,
+        placed: &mut Placements,
     ) -> Result<(), PlanError> {
         if let [TileDemand { spread: Spread::NONE, .. }] = demands {
             // Nobody asks what it spans.
@@ -154,6 +154,20 @@ impl Search {
         let footprint = self.smallest(&fold);
         let is_placed = footprint.and_then(|footprint| self.cut(footprint, &fold, area, placed));
         is_placed.ok_or_else(|| area.too_small(demands.len()))
+    }
+
+    /// Makes room for so many tiles.
+    pub(super) fn make_room(&mut self, most: usize) {
+        self.curves.clear();
+        self.curves.reserve(most);
+        self.sums.clear();
+        self.sums.reserve(most + 1);
+        self.least.clear();
+        self.least.reserve(most + 1);
+        self.best.clear();
+        self.best.reserve(most + 1);
+        self.wishes.clear();
+        self.wishes.reserve(most + 1);
     }
 
     fn begin(&mut self, demands: &[TileDemand], fold: &Fold) {
@@ -176,7 +190,7 @@ impl Search {
         footprint: f64,
         fold: &Fold,
         area: &MapArea,
-        placed: &mut Vec<Placement>,
+        placed: &mut Placements,
     ) -> Option<()> {
         self.wishes.clear();
         self.wishes.extend(self.best.iter().map(|run| fold.side(run.width, footprint)));

@@ -3,13 +3,14 @@
 use smallvec::SmallVec;
 
 use super::MapArea;
+use super::strips::Few;
 use crate::facet::Tile;
 use crate::plan::PlanError;
 
 pub(super) fn place(
     sizes: &[(u32, u32)],
     area: &MapArea,
-    tiles: &mut Vec<Tile>,
+    tiles: &mut Few<Tile>,
 ) -> Result<(), PlanError> {
     let mut order: SmallVec<[usize; 16]> = (0..sizes.len()).collect();
     order.sort_unstable_by_key(|index| {

@@ -10,7 +10,7 @@ use smallvec::{SmallVec, smallvec};
 pub(super) fn place(
     demands: &[TileDemand],
     area: &MapArea,
-    tiles: &mut Vec<Tile>,
+    tiles: &mut Few<Tile>,
 ) -> Result<(), PlanError> {
     if let ([_], true) = (demands, area.width.min(area.height) >= area.smallest_side()) {
         let MapArea { width, height, gutter, .. } = *area;

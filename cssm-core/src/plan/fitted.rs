@@ -1,6 +1,7 @@
 //! A draft fitted to the map: windows, tiles, predicted quality.
 
 use glam::DVec3;
+use smallvec::SmallVec;
 
 use super::PlanError;
 use super::fitting::Fitting;
@@ -18,7 +19,7 @@ use crate::technique::{Draft, NO_FACET, Region, Situation};
 pub(crate) struct Fitted {
     pub(super) windows: Windows,
     /// Tile of each window.
-    pub(super) tiles: Vec<Tile>,
+    pub(super) tiles: SmallVec<[Tile; 4]>,
     /// 95th percentile of the footprint over sample receivers; infinite where too many have no facet.
     pub(super) p95_pixels: f64,
 }
@@ -29,6 +30,8 @@ pub(super) const PREDICTED: f64 = 0.95;
 impl Fitted {
     /// Fits the windows of a draft and shares the situation's part of the map among them; tiles count from its corner.
     pub(super) fn fit(&mut self, frame: &Frame<'_>, fitting: &mut Fitting) -> Result<(), PlanError> {
+        fitting.begin();
+        self.begin(frame.draft.facets.len().max(fitting.room));
         self.windows.fit(frame, &mut fitting.known);
         self.place(frame, fitting)?;
         if frame.situation.case.stability == Stability::Snapped {
@@ -36,6 +39,13 @@ impl Fitted {
         }
         self.p95_pixels = self.predicted(frame, fitting);
         Ok(())
+    }
+
+    /// Forgets all windows and makes room for so many.
+    pub(super) fn begin(&mut self, most: usize) {
+        self.tiles.clear();
+        self.tiles.reserve(most);
+        self.windows.begin(most);
     }
 
     pub(super) fn prediction(&self, draft: &Draft) -> Prediction {
@@ -72,8 +82,6 @@ impl Fitted {
         };
 
         // One demand for each tile; the facets of a square share one.
-        demands.clear();
-        sharing.clear();
         for window in &windows.list {
             let facet = frame.facet(window);
             if facet.is_dominant() {
@@ -109,7 +117,6 @@ impl Fitted {
                 *spread = spread.max(windows.spread(index, frame, known));
             }
         }
-        placed.clear();
         if !demands.is_empty() {
             // What does not fit beside the strip does not fit the map.
             layout.place(demands, &area, placed).map_err(|error| match error {
@@ -117,7 +124,6 @@ impl Fitted {
                 other => other,
             })?;
         }
-        tiles.clear();
         for (index, demand) in sharing.iter().enumerate() {
             let placement = placed.get(*demand as usize);
             tiles.push(placement.map_or(strip, |placement| placement.tile));
@@ -132,7 +138,6 @@ impl Fitted {
     fn predicted(&self, frame: &Frame<'_>, fitting: &mut Fitting) -> f64 {
         let Self { windows, tiles, .. } = self;
         let Fitting { texels, squares, weighted, .. } = fitting;
-        texels.clear();
         texels.extend(windows.list.iter().zip(tiles).map(|(window, tile)| {
             let inner = |side: u32| f64::from(side.saturating_sub(2 * tile.gutter));
             Texels::of(&window.rows, inner(tile.width), inner(tile.height), frame.situation)

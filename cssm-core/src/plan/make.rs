@@ -52,6 +52,7 @@ pub(crate) fn make(
     };
     let depth =
         Depth { orders: orders(case, light_camera), shear: shear(view, light_camera, spec.follows_camera) };
+    work.begin(case, plan);
     work.plan.choice.position = LightPosition::of(view, light_camera);
     if situation.receivers.is_empty() {
         fill_nothing(case, depth, work);
@@ -92,7 +93,7 @@ pub(crate) fn make(
 
 /// Fills in the plan of a light that reaches nothing visible: nothing visible is nothing to draft.
 fn fill_nothing(case: &LightCase, depth: Depth<'_>, work: &mut Work) {
-    work.make_room(0);
+    work.list_facets(0);
     let made = &mut work.plan;
     made.choice.configuration = case.configurations.first().map_or("", |word| word.name);
     (made.choice.reason, made.choice.complete, made.choice.fallback) = (ChoiceReason::Only, true, None);
@@ -117,7 +118,6 @@ fn fill(
     let spec = case.technique_spec();
     let dominant = plane.and_then(|plane| dominant::facet(situation, plane));
     let mut first_error = None;
-    work.drafts.clear();
     for word in &case.configurations {
         let known = work.drafts.len();
         if let Err(error) = (spec.configuration(word.name).draft)(situation, word, &mut work.drafts) {
@@ -164,7 +164,7 @@ fn fill(
     let is_complete = work.predictions[best].p95_pixels.is_finite();
     let best = work.usable[best];
     let count = work.fitted[best].windows.list.len();
-    work.make_room(count);
+    work.list_facets(count);
     let draft = &work.drafts.list()[best];
     let frame = Frame { draft, situation, samples: &work.points };
     let fitted = &work.fitted[best];

@@ -1,15 +1,17 @@
 //! Planning without asking for memory: what a plan is made in and from outlives the frame.
 
-use glam::DVec3;
+use smallvec::SmallVec;
 
 use super::fitted::Fitted;
 use super::finish::Finished;
 use super::fitting::Fitting;
-use super::window::Sample;
+use super::window::{Judged, Visible};
 use super::{PlanError, PlanRequest, ShadowPlan, make};
+use crate::case::LightCase;
 use crate::choose::{Kept, Prediction};
 use crate::facet::{Facet, FacetRows, Tile};
 use crate::remap::Remap;
+use crate::samples;
 use crate::technique::Drafts;
 
 /// Makes plans one after the other, of any cases, views and lights, and keeps the memory that takes: from the third plan or
@@ -37,23 +39,26 @@ pub struct Planner {
     work: Work,
 }
 
+/// Forms that a configuration has at most.
+const MOST_FORMS: usize = 3;
+
 /// Everything that planning needs memory for.
 #[derive(Debug, Default)]
 pub(crate) struct Work {
-    /// Whether it is used again: lists that plans own then have room for more.
-    pub(super) is_kept: bool,
+    /// Whether it is used again: lists then have room for what other views of a case may need.
+    is_kept: bool,
     pub(super) drafts: Drafts,
     /// Visible points by which drafts are judged.
-    pub(super) points: Vec<DVec3>,
+    pub(super) points: Visible,
     /// The drafts with tiles, as many as there are drafts or more.
     pub(super) fitted: Vec<Fitted>,
     /// Which of them could be fitted.
-    pub(super) usable: Vec<usize>,
-    pub(super) predictions: Vec<Prediction>,
+    pub(super) usable: SmallVec<[usize; 8]>,
+    pub(super) predictions: SmallVec<[Prediction; 8]>,
     pub(super) fitting: Fitting,
     /// Points by which a facet's depth is judged.
-    pub(super) judged: Vec<Sample>,
-    pub(super) finished: Vec<Finished>,
+    pub(super) judged: Judged,
+    pub(super) finished: SmallVec<[Finished; 4]>,
     /// A plan that is being made; what was in its place before is used again.
     pub(super) plan: ShadowPlan,
     /// Facets that the present plan has no use for.
@@ -81,8 +86,46 @@ impl Planner {
 }
 
 impl Work {
+    /// Makes room for whatever a plan of a case may need, in the place of another; nothing where it is used once.
+    pub(super) fn begin(&mut self, case: &LightCase, replaced: &ShadowPlan) {
+        self.drafts.clear();
+        if !self.is_kept {
+            return;
+        }
+
+        // The plan that is made and the one that it replaces change places: both may be as large as any.
+        let most = case.shape().cells() as usize;
+        let made = &mut self.plan;
+        let known = made.facets.len() + replaced.facets.len() + self.spare.len();
+        self.spare.reserve(2 * most);
+        self.spare.extend((known..2 * most).map(|_| Facet::with_room(true)));
+        made.facets.reserve(most.saturating_sub(made.facets.len()));
+        made.selection.reserve(most);
+        let choice = &mut made.choice;
+        choice.made_for_position.clear();
+        choice.made_for_position.reserve(case.technique_spec().configurations.len());
+        let drafts = MOST_FORMS * case.configurations.len();
+        choice.predictions.clear();
+        choice.predictions.reserve(drafts);
+        self.predictions.clear();
+        self.predictions.reserve(drafts);
+        self.usable.clear();
+        self.usable.reserve(drafts);
+        self.points.clear();
+        self.points.reserve(samples::MOST);
+        self.drafts.make_room(drafts, most);
+        self.fitted.resize_with(self.fitted.len().max(drafts), Fitted::default);
+        for fitted in &mut self.fitted {
+            fitted.begin(most);
+            fitted.windows.expect_samples(samples::MOST);
+        }
+        self.finished.clear();
+        self.finished.reserve(most);
+        self.fitting.make_room(most);
+    }
+
     /// Lists for so many facets in the plan that is being made.
-    pub(super) fn make_room(&mut self, count: usize) {
+    pub(super) fn list_facets(&mut self, count: usize) {
         let facets = &mut self.plan.facets;
         while facets.len() > count {
             self.spare.extend(facets.pop());
@@ -103,7 +146,7 @@ impl Facet {
             cells: Vec::with_capacity(if is_kept { 8 } else { 0 }),
             rows: FacetRows { x: none, y: none, z: none, w: none, remap: Remap::NONE },
             select: room(8),
-            clip: Vec::new(),
+            clip: room(2),
             tile: Tile { x: 0, y: 0, width: 0, height: 0, gutter: 0 },
             receivers: room(32),
             casters: room(48),

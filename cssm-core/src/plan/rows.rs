@@ -1,10 +1,10 @@
 //! A facet's rows fitted to its receivers, and their outline in the light's view.
 
 use glam::{DVec2, DVec4};
-use smallvec::SmallVec;
 
+use super::window::Corners;
 use crate::facet::FacetRows;
-use crate::polygon::{self, Outline};
+use crate::polygon::{self, Places};
 use crate::receivers::{Body, is_negligible};
 use crate::remap::{Curve, Remap};
 use crate::technique::{FacetDraft, Region};
@@ -14,15 +14,14 @@ const EMPTY_EXTENT: f64 = 1e-12;
 /// Area in clip space, of 4, below which a facet's receivers lie on a line in the light's view.
 const EMPTY_AREA: f64 = 1e-9;
 
-/// The rows of a facet fitted to its receivers, if there are any, and their outline.
-pub(super) fn fitted(facet: &FacetDraft, receivers: Body<'_>) -> Option<(FacetRows, Outline)> {
+/// The rows of a facet fitted to its receivers, if there are any; adds the corners of their outline.
+pub(super) fn fitted(facet: &FacetDraft, receivers: Body<'_>, corners: &mut Corners) -> Option<FacetRows> {
     if receivers.is_empty() {
         return None;
     }
 
     // Where receivers lie; those whose w vanishes share their image with the other end of their edge.
-    let mut places: SmallVec<[DVec2; 48]> = SmallVec::new();
-    let mut points = Outline::new();
+    let mut places = Places::new();
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     for vertex in receivers.vertices {
         let w = facet.w.dot(*vertex);
@@ -47,23 +46,32 @@ pub(super) fn fitted(facet: &FacetDraft, receivers: Body<'_>) -> Option<(FacetRo
         let remap = Remap::fitted(facet.curve, low.y.max(0.0), high.y)?;
         (FacetRows { x, remap, ..plain }, Fit { scale: 1.0, shift: 0.0 })
     };
-
     let (scale, shift) = (DVec2::new(across.scale, up.scale), DVec2::new(across.shift, up.shift));
-    points.extend(places.iter().map(|place| *place * scale - shift));
-    let outline = polygon::hull(points);
+    let is_whole = matches!(facet.region, Region::Tile(_));
+    if is_whole {
+        for place in &mut places {
+            *place = *place * scale - shift;
+        }
+    }
+
+    // Find their outline, which must have an area.
+    let start = corners.len();
+    polygon::add_hull(&mut places, corners);
     let area = if whole.remap.is_none() {
-        polygon::area(&outline)
+        let area = polygon::area(&corners[start..]);
+        if is_whole { area } else { area * scale.x * scale.y }
     } else {
-        let bent = outline.iter().map(|corner| DVec2::new(corner.x, whole.remap.y(corner.y)));
-        polygon::area(&bent.collect::<Outline>())
+        let bent = |corner: &DVec2| {
+            let x = if is_whole { corner.x } else { corner.x * scale.x - shift.x };
+            DVec2::new(x, whole.remap.y(corner.y))
+        };
+        polygon::area(&corners[start..].iter().map(bent).collect::<Places>())
     };
     if area.abs() <= EMPTY_AREA {
+        corners.truncate(start);
         return None;
     }
-    Some(match facet.region {
-        Region::Tile(_) => (whole, outline),
-        Region::Whole(_) | Region::Triangle { .. } => (plain, polygon::hull(Outline::from_slice(&places))),
-    })
+    Some(if is_whole { whole } else { plain })
 }
 
 /// What takes a range of ratios to -1 and 1.

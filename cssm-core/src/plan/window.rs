@@ -32,6 +32,8 @@ const INNER: f64 = 0.7;
 const FARTHEST_PER_NEAREST: f64 = 4.0;
 /// Corners that most outlines have no more of.
 const USUAL_CORNERS: usize = 10;
+/// Corners that an outline is found in.
+const MOST_CORNERS: usize = 48;
 /// Facets whose lists need no allocation.
 const MOST_FACETS: usize = 136;
 
@@ -43,6 +45,14 @@ pub(crate) struct Sample {
     /// What the facet's whole clip space spans there.
     pub(super) gram: Gram,
 }
+
+/// Receivers of a facet by which its depth is judged.
+pub(crate) type Judged = SmallVec<[Sample; MOST_JUDGED]>;
+/// Visible points by which drafts are judged; most need no allocation.
+pub(crate) type Visible = SmallVec<[DVec3; 128]>;
+
+/// Corners of outlines.
+pub(super) type Corners = SmallVec<[DVec2; 64]>;
 
 /// A draft in its situation, with visible points.
 #[derive(Debug, Clone, Copy)]
@@ -75,13 +85,13 @@ pub(super) struct Window {
 /// The windows of a draft.
 #[derive(Debug, Default)]
 pub(super) struct Windows {
-    pub(super) list: Vec<Window>,
+    pub(super) list: SmallVec<[Window; 4]>,
     /// The receivers of all windows in x/w and y/w.
-    corners: Vec<DVec2>,
+    corners: Corners,
     /// Rays through the receivers of windows that are sized by them.
     beams: Vec<Beams>,
     /// Window of each sample of the view; [`NO_FACET`] where it has none.
-    owners: Vec<u32>,
+    owners: SmallVec<[u32; 128]>,
     /// Whether tiles are sized by samples of the view.
     is_counted: bool,
 }
@@ -103,37 +113,44 @@ impl<'a> Frame<'a> {
 }
 
 impl Windows {
+    /// Forgets all windows and makes room for so many.
+    pub(super) fn begin(&mut self, most: usize) {
+        self.list.clear();
+        self.list.reserve(most);
+        self.corners.clear();
+        self.corners.reserve(USUAL_CORNERS * most + MOST_CORNERS);
+        self.beams.clear();
+        if most > self.list.inline_size() {
+            self.beams.reserve(most);
+        }
+        self.owners.clear();
+    }
+
+    /// Makes room for so many samples of the view.
+    pub(super) fn expect_samples(&mut self, count: usize) {
+        self.owners.reserve(count);
+    }
+
     /// Fits the window of every facet that has receivers.
     pub(super) fn fit(&mut self, frame: &Frame<'_>, known: &mut Known) {
         let Frame { draft, situation, samples } = *frame;
-        self.list.clear();
-        self.corners.clear();
-        self.beams.clear();
-        self.owners.clear();
-
         // Fit the rows of each facet to its receivers.
         self.is_counted = is_counted(draft, situation);
         let is_shared = draft.facets.len() > 1;
         let by_rays = is_shared && !self.is_counted;
         let mut window_of: SmallVec<[u32; MOST_FACETS]> = SmallVec::new();
-        self.list.reserve(draft.facets.len());
-        self.corners.reserve(USUAL_CORNERS * draft.facets.len());
-        if by_rays {
-            self.beams.reserve(draft.facets.len());
-        }
         for (index, facet) in draft.facets.iter().enumerate() {
             let receivers = draft.receivers(facet);
-            let Some((rows, outline)) = rows::fitted(facet, receivers) else {
+            let start = self.corners.len();
+            let Some(rows) = rows::fitted(facet, receivers, &mut self.corners) else {
                 window_of.push(NO_FACET);
                 continue;
             };
             let has_beams = by_rays && is_sized(facet);
             if has_beams {
-                self.beams.push(beams(&rows, &outline, receivers, situation));
+                self.beams.push(beams(&rows, &self.corners[start..], receivers, situation));
             }
             window_of.push(self.list.len() as u32);
-            let start = self.corners.len();
-            self.corners.extend_from_slice(&outline);
             self.list.push(Window {
                 facet: index,
                 rows,
@@ -146,6 +163,7 @@ impl Windows {
         }
 
         // Walk each sample to its window; it need not lie in it where facets do not hold everything.
+        self.owners.reserve(samples.len());
         let owners = draft.owners();
         let is_loose = !draft.complete || !is_shared || *situation.sighted.cut() != Cut::None;
         let mut cuts: SmallVec<[&[DVec4]; MOST_FACETS]> = SmallVec::new();
@@ -234,7 +252,7 @@ impl Windows {
 
     /// Lists receivers of a window by which its depth is judged: those that sized it, or else samples of the view, which are
     /// many where receivers are near.
-    pub(super) fn judged(&self, index: usize, frame: &Frame<'_>, judged: &mut Vec<Sample>) {
+    pub(super) fn judged(&self, index: usize, frame: &Frame<'_>, judged: &mut Judged) {
         let window = &self.list[index];
         judged.clear();
         if window.beams.is_none() {
@@ -248,7 +266,7 @@ impl Windows {
     }
 
     /// Adds receivers of a window in the middle of light rays.
-    fn add_middles(&self, index: usize, frame: &Frame<'_>, samples: &mut Vec<Sample>) {
+    fn add_middles(&self, index: usize, frame: &Frame<'_>, samples: &mut Judged) {
         let before = samples.len();
         self.with_beams(index, frame, |beams| {
             samples.extend(beams.middles().map(|(point, gram)| Sample { point, gram }));
@@ -361,7 +379,7 @@ fn beams(rows: &FacetRows, outline: &[DVec2], whole: Body<'_>, situation: &Situa
 }
 
 /// Lists visible points of a situation, camera space, by which drafts are judged, and says how many were asked for.
-pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft], points: &mut Vec<DVec3>) -> u32 {
+pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft], points: &mut Visible) -> u32 {
     points.clear();
     if let Some(seen) = situation.sighted.samples() {
         points.extend_from_slice(seen);
@@ -372,7 +390,7 @@ pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft], points: &mut 
     let count = if situation.sighted.is_known() || drafts.iter().any(is_counted) {
         COUNTED
     } else {
-        samples::count(drafts.len(), drafts.first().map_or(0, |draft| draft.facets.len()))
+        samples::count(drafts.len())
     };
     points.reserve(count as usize);
     samples::sample(situation.view, &situation.receivers, count, &mut |point| points.push(point));

@@ -7,6 +7,9 @@ use super::Body;
 /// Vertices, and planes, that most polytopes have no more of.
 const USUAL: usize = 14;
 
+/// Least room for vertices, and for planes: few polytopes may be large ones.
+const LEAST_ROOM: usize = 64;
+
 /// Many convex polytopes.
 #[derive(Debug, Default)]
 pub(crate) struct Bodies {
@@ -38,9 +41,10 @@ impl Bodies {
 
     /// Makes room for so many polytopes.
     pub(crate) fn reserve(&mut self, count: usize) {
-        self.vertices.reserve(count * USUAL);
-        self.planes.reserve(count * USUAL);
-        self.incidence.reserve(count * USUAL);
+        let room = (count * USUAL).max(LEAST_ROOM);
+        self.vertices.reserve(room);
+        self.planes.reserve(room);
+        self.incidence.reserve(room);
     }
 
     /// Adds a copy of a polytope.

@@ -34,12 +34,25 @@ pub(crate) const NO_FACET: u32 = u32::MAX;
 pub struct Drafts {
     list: Vec<Draft>,
     count: usize,
+    /// Facets that every draft has room for.
+    room: usize,
 }
 
 impl Drafts {
     /// Forgets all drafts.
     pub(crate) fn clear(&mut self) {
         self.count = 0;
+    }
+
+    /// Makes room for so many drafts of so many facets.
+    pub(crate) fn make_room(&mut self, drafts: usize, facets: usize) {
+        self.room = facets;
+        self.list.resize_with(self.list.len().max(drafts), Draft::empty);
+        for draft in &mut self.list {
+            draft.forget();
+            draft.reserve(facets);
+            draft.selection.reserve(facets);
+        }
     }
 
     /// How many there are.
@@ -65,31 +78,43 @@ impl Drafts {
     /// Adds a draft of a configuration that has one form and leaves nothing out; its walk has so many sectors and bands.
     pub(crate) fn open(&mut self, configuration: &'static str, (sectors, bands): (u32, u32)) -> &mut Draft {
         if self.count == self.list.len() {
-            self.list.push(Draft {
-                configuration,
-                form: "",
-                complete: true,
-                fallback: None,
-                selection: Selection::single(),
-                facets: Vec::new(),
-                bodies: Bodies::default(),
-            });
+            self.list.push(Draft::empty());
         }
         let draft = &mut self.list[self.count];
         self.count += 1;
         (draft.configuration, draft.form, draft.complete, draft.fallback) = (configuration, "", true, None);
         draft.selection.begin(sectors, bands);
-        draft.facets.clear();
-        draft.bodies.clear();
+        draft.forget();
+        draft.reserve(self.room);
         draft
     }
 }
 
 impl Draft {
+    fn empty() -> Self {
+        Self {
+            configuration: "",
+            form: "",
+            complete: true,
+            fallback: None,
+            selection: Selection::single(),
+            facets: Vec::new(),
+            bodies: Bodies::default(),
+        }
+    }
+
+    /// Forgets all facets.
+    fn forget(&mut self) {
+        self.facets.clear();
+        self.bodies.clear();
+    }
+
     /// Makes room for so many more facets.
     pub(crate) fn reserve(&mut self, count: usize) {
-        self.facets.reserve(count);
-        self.bodies.reserve(count);
+        if count > 0 {
+            self.facets.reserve(count);
+            self.bodies.reserve(count);
+        }
     }
 
     /// Adds a facet with its receivers.

@@ -10,8 +10,8 @@ use smallvec::SmallVec;
 mod bodies;
 mod slices;
 
-pub use self::bodies::BodyPlace;
 pub(crate) use self::bodies::Bodies;
+pub use self::bodies::BodyPlace;
 pub(crate) use self::slices::Slices;
 use crate::plan::BoundingBox;
 use crate::view::View;
@@ -51,8 +51,6 @@ pub struct Body<'a> {
 const ON_PLANE: f64 = 1e-13;
 /// Value of a row, relative to its terms on the vertex, below which a vertex is a direction along the light.
 const ALONG_LIGHT: f64 = 1e-12;
-/// Vertices whose distances from a plane need no allocation.
-const FEW_VERTICES: usize = 48;
 const AT_INFINITY: u64 = 1 << 63;
 /// Plane bits end below the bit of infinity.
 const PLANE_LIMIT: usize = 63;
@@ -126,37 +124,33 @@ impl Polytope {
         let bit = 1_u64 << self.planes.len();
         self.planes.push(plane);
         self.is_frustum = false;
-        let mut short = [0.0; FEW_VERTICES];
-        let mut long = Vec::new();
-        let signed = match short.get_mut(..self.vertices.len()) {
-            Some(few) => few,
-            None => {
-                long.resize(self.vertices.len(), 0.0);
-                &mut long[..]
+
+        // Find where every vertex lies.
+        let (vertices, incidence) = (&mut self.vertices[..], &mut self.incidence[..]);
+        let mut signed: SmallVec<[f64; FEW]> = SmallVec::new();
+        let mut beyond: SmallVec<[usize; FEW]> = SmallVec::new();
+        let mut is_crossed = false;
+        for (index, (vertex, planes)) in vertices.iter().zip(&mut *incidence).enumerate() {
+            let value = signed_distance(plane, *vertex);
+            signed.push(value);
+            if value < 0.0 {
+                beyond.push(index);
             }
-        };
-        let (mut inside, mut outside) = (false, false);
-        for (value, (vertex, planes)) in signed.iter_mut().zip(self.vertices.iter().zip(&mut self.incidence))
-        {
-            *value = signed_distance(plane, *vertex);
-            inside |= *value > 0.0;
-            outside |= *value < 0.0;
-            *planes |= if *value == 0.0 { bit } else { 0 };
+            is_crossed |= value > 0.0;
+            *planes |= if value == 0.0 { bit } else { 0 };
         }
-        if !outside {
+        if beyond.is_empty() {
             return;
         }
-
-        let size = finite_size(&self.vertices);
+        let size = finite_size(vertices);
 
         // Find a vertex on every edge that crosses.
         let mut crossings: SmallVec<[(DVec4, u64); 16]> = SmallVec::new();
-        let sides = |sign: f64| signed.iter().enumerate().filter(move |(_, value)| sign * **value > 0.0);
-        if inside {
-            for (a, inside) in sides(1.0) {
-                for (b, outside) in sides(-1.0) {
-                    let Some(shared) = self.edge(a, b) else { continue };
-                    let point = normalised(self.vertices[a] * -outside + self.vertices[b] * *inside);
+        if is_crossed {
+            for (a, inside) in signed.iter().enumerate().filter(|(_, value)| **value > 0.0) {
+                for b in &beyond {
+                    let Some(shared) = edge(incidence, a, *b) else { continue };
+                    let point = normalised(vertices[a] * -signed[*b] + vertices[*b] * *inside);
                     crossings.push((point, shared | bit));
                 }
             }
@@ -166,15 +160,15 @@ impl Polytope {
         let mut kept = 0;
         for (index, value) in signed.iter().enumerate() {
             if *value >= 0.0 {
-                self.vertices[kept] = self.vertices[index];
-                self.incidence[kept] = self.incidence[index];
+                vertices[kept] = vertices[index];
+                incidence[kept] = incidence[index];
                 kept += 1;
             }
         }
         self.vertices.truncate(kept);
         self.incidence.truncate(kept);
         for (point, planes) in crossings {
-            match self.vertices.iter().position(|vertex| coincide(*vertex, point, size)) {
+            match same(&self.vertices, point, size) {
                 Some(same) => self.incidence[same] |= planes,
                 None => {
                     self.vertices.push(point);
@@ -182,11 +176,6 @@ impl Polytope {
                 }
             }
         }
-    }
-
-    /// The planes that two vertices share, if an edge joins them.
-    fn edge(&self, a: usize, b: usize) -> Option<u64> {
-        edge(&self.incidence, a, b)
     }
 
     /// The polytope cut by several half-spaces.
@@ -306,8 +295,11 @@ fn edge(incidence: &[u64], a: usize, b: usize) -> Option<u64> {
         // No plane or one.
         return None;
     }
-    let holders = incidence.iter().filter(|planes| *planes & shared == shared);
-    (holders.count() == 2).then_some(shared)
+    let mut holders = 0;
+    for planes in incidence {
+        holders += u32::from(planes & shared == shared);
+    }
+    (holders == 2).then_some(shared)
 }
 
 /// Whether a row vanishes on a vertex, beside the sizes of its terms; at any scale of the world.
@@ -346,12 +338,15 @@ fn finite_size(vertices: &[DVec4]) -> f64 {
     finite.map(|vertex| vertex.truncate().abs().max_element()).fold(0.0, f64::max).min(1.0)
 }
 
+/// Which of some normalised points is the same as another up to rounding.
+fn same(points: &[DVec4], point: DVec4, size: f64) -> Option<usize> {
+    // Most are far apart along the first axis.
+    let near = ON_PLANE * (2.0 * point.truncate().abs().max_element()).max(size);
+    points.iter().position(|known| (known.x - point.x).abs() <= near && coincide(*known, point, size))
+}
+
 /// Whether two normalised points are the same up to rounding.
 fn coincide(one: DVec4, two: DVec4, size: f64) -> bool {
-    // Most are far apart along the first axis.
-    if (one.x - two.x).abs() > ON_PLANE * (2.0 * two.truncate().abs().max_element()).max(size) {
-        return false;
-    }
     let largest = one.truncate().abs().max_element().max(size);
     (one.w > 0.0) == (two.w > 0.0) && (one - two).abs().max_element() <= ON_PLANE * largest
 }

@@ -48,8 +48,10 @@ pub(crate) const MOST: usize = (TRIES * COMPARED) as usize;
 /// Sample receivers; so many need no allocation.
 pub(crate) type Points = SmallVec<[DVec3; MOST]>;
 
-/// Sample receivers of a view by which drafts are compared.
+/// Sample receivers of a view by which drafts for a light at infinity are compared.
 const COMPARED: u32 = 256;
+/// The same for a light that is not: twice as many are tried where it does not reach all.
+const COMPARED_LOCAL: u32 = 128;
 /// Sample receivers of a view where there is one draft: footprints go with depth, in which samples are even.
 const ALONE: u32 = 64;
 /// Sample receivers of a view where tiles are sized by them, or its pixels are known.
@@ -57,9 +59,13 @@ pub(crate) const COUNTED: u32 = 1024;
 /// Points that are tried for each sample of receivers that are no whole frustum.
 const TRIES: u32 = 2;
 
-/// Sample receivers by which so many drafts are judged.
-pub(crate) const fn count(drafts: usize) -> u32 {
-    if drafts > 1 { COMPARED } else { ALONE }
+/// Sample receivers by which so many drafts are judged for a light at infinity or for one that is not.
+pub(crate) const fn count(drafts: usize, is_local: bool) -> u32 {
+    match (drafts, is_local) {
+        (0 | 1, _) => ALONE,
+        (_, true) => COMPARED_LOCAL,
+        (_, false) => COMPARED,
+    }
 }
 
 /// So many sample receivers of a view.

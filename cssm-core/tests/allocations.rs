@@ -106,7 +106,10 @@ fn a_planner_asks_for_no_memory_once_it_has_some() {
     let mut all = cases();
     let planes = ["one_plane", "four_plane", "face_columns"];
     all.push((0, LightCase::builder("Chosen").configurations(&planes).bands(8, 1e5).build().unwrap()));
-    all.push((0, LightCase::builder("Folds").distribution(Word::plain("logarithmic")).stretch(EXACT).build().unwrap()));
+    all.push((
+        0,
+        LightCase::builder("Folds").distribution(Word::plain("logarithmic")).stretch(EXACT).build().unwrap(),
+    ));
     all.push((0, LightCase::builder("Beam").light(LightKind::Spot).build().unwrap()));
     for (_, case) in all {
         let light = light(&case);

@@ -115,7 +115,6 @@ impl Fold {
         let (low, high) = (self.widths[above - 1], self.widths[above]);
         (above, ((run.width - low) / (high - low)).clamp(0.0, 1.0))
     }
-
 }
 
 /// The search for the footprint, and what its rounds share.
@@ -185,13 +184,7 @@ impl Search {
     }
 
     /// Whole-texel tiles of the best partition, strips side by side. `None` when the smallest sides do not fit.
-    fn cut(
-        &mut self,
-        footprint: f64,
-        fold: &Fold,
-        area: &MapArea,
-        placed: &mut Placements,
-    ) -> Option<()> {
+    fn cut(&mut self, footprint: f64, fold: &Fold, area: &MapArea, placed: &mut Placements) -> Option<()> {
         self.wishes.clear();
         self.wishes.extend(self.best.iter().map(|run| fold.side(run.width, footprint)));
         let strip_sides = strips::share(&self.wishes, area.width, area.smallest_side())?;
@@ -336,7 +329,8 @@ impl Search {
             for from in (0..to).rev() {
                 // Longer runs need more width.
                 let before = &self.sums[from];
-                while high + STRIDE < WIDTHS && after[high + STRIDE] - before[high + STRIDE] > fold.map_height {
+                while high + STRIDE < WIDTHS && after[high + STRIDE] - before[high + STRIDE] > fold.map_height
+                {
                     high += STRIDE + 1;
                 }
                 while high < WIDTHS && after[high] - before[high] > fold.map_height {

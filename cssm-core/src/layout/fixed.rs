@@ -7,11 +7,7 @@ use super::strips::Few;
 use crate::facet::Tile;
 use crate::plan::PlanError;
 
-pub(super) fn place(
-    sizes: &[(u32, u32)],
-    area: &MapArea,
-    tiles: &mut Few<Tile>,
-) -> Result<(), PlanError> {
+pub(super) fn place(sizes: &[(u32, u32)], area: &MapArea, tiles: &mut Few<Tile>) -> Result<(), PlanError> {
     let mut order: SmallVec<[usize; 16]> = (0..sizes.len()).collect();
     order.sort_unstable_by_key(|index| {
         (std::cmp::Reverse(sizes[*index].1), std::cmp::Reverse(sizes[*index].0), *index)

@@ -7,11 +7,7 @@ use crate::plan::PlanError;
 use crate::technique::TileRequest;
 use smallvec::{SmallVec, smallvec};
 
-pub(super) fn place(
-    demands: &[TileDemand],
-    area: &MapArea,
-    tiles: &mut Few<Tile>,
-) -> Result<(), PlanError> {
+pub(super) fn place(demands: &[TileDemand], area: &MapArea, tiles: &mut Few<Tile>) -> Result<(), PlanError> {
     if let ([_], true) = (demands, area.width.min(area.height) >= area.smallest_side()) {
         let MapArea { width, height, gutter, .. } = *area;
         tiles.clear();

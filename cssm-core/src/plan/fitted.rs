@@ -26,6 +26,8 @@ pub(crate) struct Fitted {
 
 /// Share of sample receivers whose footprint is not above the predicted one.
 pub(super) const PREDICTED: f64 = 0.95;
+/// How far around it values count.
+const AROUND: f64 = 0.025;
 
 impl Fitted {
     /// Fits the windows of a draft and shares the situation's part of the map among them; tiles count from its corner.
@@ -155,13 +157,31 @@ impl Fitted {
         }
         squares.clear();
         squares.extend(known.map(|(square, _)| square));
-        let rank = (PREDICTED * squares.len() as f64) as usize;
-        if rank >= squares.len() {
-            return 0.0;
-        }
-        let (_, square, _) = squares.select_nth_unstable_by(rank, f64::total_cmp);
-        square.sqrt()
+        around_rank(squares).sqrt()
     }
+}
+
+/// The mean logarithm's value of those around the one that the predicted share does not exceed, which tells it from fewer
+/// values; 0 where there is none.
+pub(super) fn around_rank(values: &mut [f64]) -> f64 {
+    let count = values.len();
+    let rank = |share: f64| ((share * count as f64) as usize).min(count.saturating_sub(1));
+    let (first, middle, last) = (rank(PREDICTED - AROUND), rank(PREDICTED), rank(PREDICTED + AROUND));
+    if count == 0 {
+        return 0.0;
+    }
+    let (_, _, above) = values.select_nth_unstable_by(first, f64::total_cmp);
+    above.sort_unstable_by(f64::total_cmp);
+    if !values[middle].is_finite() {
+        return f64::INFINITY;
+    }
+    let around = values[first..=last].iter().filter(|value| value.is_finite());
+    let (mut product, mut number) = (1.0, 0);
+    for value in around {
+        product *= value / values[middle];
+        number += 1;
+    }
+    values[middle] * libm::pow(product, 1.0 / f64::from(number))
 }
 
 /// The value that the predicted share of the weight does not exceed; 0 where there is none.

@@ -4,8 +4,8 @@ use smallvec::SmallVec;
 
 use super::texels::Texels;
 use super::window::Sample;
-use crate::samples;
 use crate::layout::{Gram, Layout, Placements, TileDemand};
+use crate::samples;
 
 /// What fitting one draft after the other works in.
 #[derive(Debug, Default)]

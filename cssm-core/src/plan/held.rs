@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 use smallvec::SmallVec;
 
-use super::fitted::PREDICTED;
+use super::fitted::around_rank;
 use super::make::shear;
 use super::visible::{self, Visible};
 use super::{PlanRequest, ShadowPlan, WorldPlane};
@@ -156,12 +156,7 @@ impl ShadowPlan {
                 metres * view.pixels_per_tangent() / -point.z
             })
             .collect();
-        let rank = (PREDICTED * footprints.len() as f64) as usize;
-        if rank >= footprints.len() {
-            return 0.0;
-        }
-        let (_, p95, _) = footprints.select_nth_unstable_by(rank, f64::total_cmp);
-        *p95
+        around_rank(&mut footprints)
     }
 
     /// Receivers of a view that the plan covers, in the view's camera space; `None` where there are none.

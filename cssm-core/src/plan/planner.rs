@@ -2,8 +2,8 @@
 
 use smallvec::SmallVec;
 
-use super::fitted::Fitted;
 use super::finish::Finished;
+use super::fitted::Fitted;
 use super::fitting::Fitting;
 use super::window::{Judged, Visible};
 use super::{PlanError, PlanRequest, ShadowPlan, make};

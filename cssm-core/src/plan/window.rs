@@ -390,7 +390,7 @@ pub(super) fn samples(situation: &Situation<'_>, drafts: &[Draft], points: &mut 
     let count = if situation.sighted.is_known() || drafts.iter().any(is_counted) {
         COUNTED
     } else {
-        samples::count(drafts.len())
+        samples::count(drafts.len(), situation.light.w > 0.0)
     };
     points.reserve(count as usize);
     samples::sample(situation.view, &situation.receivers, count, &mut |point| points.push(point));

@@ -2,7 +2,7 @@
 
 use glam::DVec4;
 
-use super::Body;
+use super::{Body, same};
 
 /// Vertices, and planes, that most polytopes have no more of.
 const USUAL: usize = 14;
@@ -57,7 +57,8 @@ impl Bodies {
 
     /// A polytope of these.
     pub(crate) fn get(&self, place: BodyPlace) -> Body<'_> {
-        let [vertices, planes] = [place.vertices, place.planes].map(|[start, end]| start as usize..end as usize);
+        let [vertices, planes] =
+            [place.vertices, place.planes].map(|[start, end]| start as usize..end as usize);
         Body {
             vertices: &self.vertices[vertices.clone()],
             planes: &self.planes[planes],
@@ -94,8 +95,8 @@ impl NewBody<'_> {
     }
 
     /// Adds a vertex unless it is one that is known.
-    pub(super) fn merge(&mut self, vertex: DVec4, planes: u64, is_same: impl Fn(DVec4) -> bool) {
-        match self.bodies.vertices[self.vertices..].iter().position(|known| is_same(*known)) {
+    pub(super) fn merge(&mut self, vertex: DVec4, planes: u64, size: f64) {
+        match same(&self.bodies.vertices[self.vertices..], vertex, size) {
             Some(same) => self.bodies.incidence[self.vertices + same] |= planes,
             None => self.push(vertex, planes),
         }

@@ -4,7 +4,7 @@
 use glam::DVec4;
 use smallvec::SmallVec;
 
-use super::{Bodies, Body, BodyPlace, FEW, PLANE_LIMIT, coincide, edge, finite_size, normalised, signed_distance};
+use super::{Bodies, Body, BodyPlace, FEW, PLANE_LIMIT, edge, finite_size, normalised, signed_distance};
 
 /// Edges of a polytope that need no allocation.
 const FEW_EDGES: usize = 64;
@@ -104,17 +104,16 @@ impl<'a> Slices<'a> {
         // Add vertices on edges that cross either plane: first those of edges that begin in the slice.
         if lower.is_there {
             for Crossing { point, planes, .. } in &lower.crossings {
-                slice.merge(*point, planes | lower_bit, |one| coincide(one, *point, self.size));
+                slice.merge(*point, planes | lower_bit, self.size);
             }
         }
         if upper.is_there {
-            let begins = |crossing: &Crossing| {
-                !lower.is_there || lower.values[usize::from(crossing.before)] >= 0.0
-            };
+            let begins =
+                |crossing: &Crossing| !lower.is_there || lower.values[usize::from(crossing.before)] >= 0.0;
             for is_first in [true, false] {
                 for crossing in upper.crossings.iter().filter(|crossing| begins(crossing) == is_first) {
                     let Crossing { point, planes, .. } = crossing;
-                    slice.merge(*point, planes | upper_bit, |one| coincide(one, *point, self.size));
+                    slice.merge(*point, planes | upper_bit, self.size);
                 }
             }
         }

@@ -69,14 +69,19 @@ pub(crate) fn depth_rows(
     let part = from_light.as_ref().unwrap_or(&told_apart);
     let receivers = part.body();
     let beside = [Some(&told_apart), from_light.as_ref()].into_iter().flatten().filter_map(Part::beside);
-    let places = places(receivers, w, needs.light);
-    let terms = Terms::of(w, needs, samples);
+    let mut places = Places::new();
+    list_places(receivers, w, needs.light, &mut places);
+    let mut terms = Terms { samples: SmallVec::new(), shear: needs.shear };
+    terms.list(w, needs, samples);
 
     // Try every face of the polytope and the plane across the light (facet algebra: zeta0 = -sign(pi.L) pi).
     let across_light = if needs.light.w > 0.0 { -DVec4::W } else { (-needs.light.truncate()).extend(0.0) };
-    let faces = receivers.planes.iter().copied().chain(beside).map(|plane| {
-        let plane = plane / plane.truncate().length();
-        if plane.dot(needs.light) > 0.0 { -plane } else { plane }
+    let faces = receivers.planes.iter().copied().chain(beside).filter_map(|plane| {
+        let (slope, square) = (plane.dot(needs.light), plane.truncate().length_squared());
+        // Most planes between facets contain the light.
+        let is_usable = slope * slope >= 0.5 * SMALLEST_SLOPE * SMALLEST_SLOPE * square;
+        let plane = plane / if is_usable { square.sqrt() } else { return None };
+        Some(if slope > 0.0 { -plane } else { plane })
     });
     let mut best: [Option<DepthRow>; 2] = [None; 2];
     for zeta in std::iter::once(across_light).chain(faces) {
@@ -144,15 +149,23 @@ impl<'a> Part<'a> {
     }
 }
 
-/// The receivers' vertices with w = 1, and how much a metre along the light counts there: the less, the farther a local
-/// light is. Vertices whose w vanishes are passed over, see [`Polytope::ratio_range`].
-fn places(receivers: Body<'_>, w: DVec4, light: DVec4) -> SmallVec<[(DVec4, f64); 24]> {
-    let place = |vertex: &DVec4| {
+/// Points with w = 1, and how much a metre along the light counts there.
+type Places = SmallVec<[(DVec4, f64); 48]>;
+
+/// Lists the receivers' vertices with w = 1: a metre along the light counts the less, the farther a local light is. Vertices
+/// whose w vanishes are passed over, see [`Body::ratio_range`].
+fn list_places(receivers: Body<'_>, w: DVec4, light: DVec4, places: &mut Places) {
+    for vertex in receivers.vertices {
         let scale = w.dot(*vertex);
-        let per_metre = 1.0 / light_distance(light, *vertex).max(f64::MIN_POSITIVE);
-        (!is_negligible(scale, w, *vertex)).then(|| (*vertex / scale, per_metre))
-    };
-    receivers.vertices.iter().filter_map(place).collect()
+        if !is_negligible(scale, w, *vertex) {
+            let per_metre = if light.w == 0.0 {
+                1.0
+            } else {
+                1.0 / light_distance(light, *vertex).max(f64::MIN_POSITIVE)
+            };
+            places.push((*vertex * (1.0 / scale), per_metre));
+        }
+    }
 }
 
 /// Smallest and largest zeta/w over the receivers, with a margin along the light.
@@ -190,15 +203,14 @@ struct Terms {
 }
 
 impl Terms {
-    fn of(w: DVec4, needs: &DepthNeeds<'_>, samples: impl ExactSizeIterator<Item = DVec3>) -> Self {
+    fn list(&mut self, w: DVec4, needs: &DepthNeeds<'_>, samples: impl ExactSizeIterator<Item = DVec3>) {
         let step = samples.len().div_ceil(COMPARED_SAMPLES).max(1);
-        let terms = samples.step_by(step).map(|point| {
+        for point in samples.step_by(step) {
             let sheared = needs.shear * point.z + DVec2::new(point.x, point.y);
             let terms = DVec4::new(sheared.x, sheared.y, point.z, 1.0).abs();
             let homogeneous = point.extend(1.0);
-            (terms, light_distance(needs.light, homogeneous) / w.dot(homogeneous))
-        });
-        Self { samples: terms.collect(), shear: needs.shear }
+            self.samples.push((terms, light_distance(needs.light, homogeneous) / w.dot(homogeneous)));
+        }
     }
 
     /// How far rounding moves depth along the light: the 95th percentile over samples, in float steps and metres per w.

@@ -61,14 +61,16 @@ pub(crate) fn depth_rows(
     // Where the view looks along the light, a facet near that axis holds receivers at any distance: leave out those
     // that are too far to be told apart on the screen.
     let w = rows.w;
-    let told_apart = Part::of(needs.receivers, w * needs.farthest_metres_per_w - DEPTH_ROW);
+    let (mut told_apart, mut from_light) = (Polytope::empty(), Polytope::empty());
+    let far = w * needs.farthest_metres_per_w - DEPTH_ROW;
+    let (receivers, beyond) = part(needs.receivers, far, &mut told_apart);
 
     // A local light among the receivers needs a near plane; floats keep their precision whatever it is.
-    let whole = needs.near_w.map(|near_w| (told_apart.body(), w - DVec4::W * near_w));
-    let from_light = whole.map(|(whole, near)| Part::of(whole, near));
-    let part = from_light.as_ref().unwrap_or(&told_apart);
-    let receivers = part.body();
-    let beside = [Some(&told_apart), from_light.as_ref()].into_iter().flatten().filter_map(Part::beside);
+    let (receivers, before) = match needs.near_w {
+        Some(near_w) => part(receivers, w - DVec4::W * near_w, &mut from_light),
+        None => (receivers, None),
+    };
+    let beside = [beyond, before].into_iter().flatten();
     let mut places = Places::new();
     list_places(receivers, w, needs.light, &mut places);
     let mut terms = Terms { samples: SmallVec::new(), shear: needs.shear };
@@ -100,53 +102,31 @@ pub(crate) fn depth_rows(
                 DepthOrder::Standard => zeta - w * first,
                 DepthOrder::Reversed => w * last - zeta,
             };
-            let depth_per_metre = slope / extent;
+            // Rounding is the same at any scale of the row.
             let limit = best.map_or(f64::INFINITY, |best| best.rounding);
-            let Some(rounding) = terms.rounding(row / extent, depth_per_metre, limit) else { continue };
+            let rounding = match terms.samples.is_empty() {
+                true => Some(extent / slope),
+                false => terms.rounding(row, slope, limit),
+            };
+            let Some(rounding) = rounding else { continue };
             if best.is_none() || rounding < limit {
-                *best = Some(DepthRow { row: row / extent, depth_per_metre, rounding });
+                let per_extent = 1.0 / extent;
+                let (row, depth_per_metre) = (row * per_extent, slope * per_extent);
+                *best = Some(DepthRow { row, depth_per_metre, rounding });
             }
         }
     }
     best
 }
 
-/// A polytope cut by a plane, if that leaves anything; not copied where there is nothing to cut off.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "a polytope in place asks for no memory, and parts are never stored"
-)]
-enum Part<'a> {
-    /// The whole polytope lies on the plane's right side.
-    Whole(Body<'a>, DVec4),
-    /// The plane would leave nothing.
-    Kept(Body<'a>),
-    Cut(Polytope),
-}
-
-impl<'a> Part<'a> {
-    fn of(whole: Body<'a>, plane: DVec4) -> Self {
-        if whole.vertices.iter().all(|vertex| plane.dot(*vertex) >= 0.0) {
-            return Self::Whole(whole, plane);
-        }
-        let cut = whole.cut_by(&[plane]);
-        if cut.is_empty() { Self::Kept(whole) } else { Self::Cut(cut) }
+/// A polytope cut by a plane, in `cut`, if there is anything to cut off and anything left; and the plane, where it is none
+/// of the polytope's.
+fn part<'a>(whole: Body<'a>, plane: DVec4, cut: &'a mut Polytope) -> (Body<'a>, Option<DVec4>) {
+    if whole.vertices.iter().all(|vertex| plane.dot(*vertex) >= 0.0) {
+        return (whole, Some(plane));
     }
-
-    fn body(&self) -> Body<'_> {
-        match self {
-            Self::Whole(whole, _) | Self::Kept(whole) => *whole,
-            Self::Cut(cut) => cut.body(),
-        }
-    }
-
-    /// The plane, where it is none of the polytope's.
-    fn beside(&self) -> Option<DVec4> {
-        match self {
-            Self::Whole(_, plane) => Some(*plane),
-            Self::Kept(_) | Self::Cut(_) => None,
-        }
-    }
+    whole.cut_into(&[plane], cut);
+    (if cut.is_empty() { whole } else { cut.body() }, None)
 }
 
 /// Points with w = 1, and how much a metre along the light counts there.
@@ -215,21 +195,18 @@ impl Terms {
 
     /// How far rounding moves depth along the light: the 95th percentile over samples, in float steps and metres per w.
     /// `None` where that is above a limit.
-    fn rounding(&self, row: DVec4, depth_per_metre: f64, limit: f64) -> Option<f64> {
+    fn rounding(&self, row: DVec4, slope: f64, limit: f64) -> Option<f64> {
         /// Largest values that can matter.
         const LARGEST: usize = COMPARED_SAMPLES - COMPARED_SAMPLES * JUDGED_PERCENT / 100;
         let along = row.z - self.shear.dot(DVec2::new(row.x, row.y));
         let row = DVec4::new(row.x, row.y, along, row.w).abs();
         let count = self.samples.len();
-        if count == 0 {
-            return Some(1.0 / depth_per_metre);
-        }
 
         // Keep as many of the largest values, in falling order, as lie at and above the rank.
         let rank = (count - count * JUDGED_PERCENT / 100).min(LARGEST);
         let mut largest = [f64::NEG_INFINITY; LARGEST];
         let largest = &mut largest[..rank];
-        let limit = limit * depth_per_metre;
+        let limit = limit * slope;
         if let [only] = largest {
             for (terms, weight) in &self.samples {
                 let value = row.dot(*terms) * weight;
@@ -237,7 +214,7 @@ impl Terms {
                     *only = value;
                 }
             }
-            return (*only <= limit).then_some(*only / depth_per_metre);
+            return (*only <= limit).then_some(*only / slope);
         }
         for (terms, weight) in &self.samples {
             let mut value = row.dot(*terms) * weight;
@@ -250,6 +227,6 @@ impl Terms {
                 return None;
             }
         }
-        Some(largest[rank - 1] / depth_per_metre)
+        Some(largest[rank - 1] / slope)
     }
 }

@@ -64,11 +64,16 @@ impl Gram {
         0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()
     }
 
-    /// Major and minor axis in pixels of one texel of a tile of this inner size.
-    pub(crate) fn axes_pixels(&self, width: f64, height: f64) -> (f64, f64) {
-        let major = self.major_pixels(width, height);
-        let area = (self.xx * self.yy - self.xy * self.xy).max(0.0).sqrt() / (width * height);
-        (major, if major > 0.0 { area / major } else { 0.0 })
+    /// Major and minor axis in pixels of one texel of a tile with these inverses of its inner sides.
+    pub(crate) fn axes_pixels(&self, per_width: f64, per_height: f64) -> (f64, f64) {
+        let xx = self.xx * per_width * per_width;
+        let yy = self.yy * per_height * per_height;
+        let xy = self.xy * per_width * per_height;
+        let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+        let square = mean + (half * half + xy * xy).sqrt();
+        let area = (self.xx * self.yy - self.xy * self.xy).max(0.0) * per_width * per_height;
+        let minor = if square > 0.0 { (area * per_width * per_height / square).sqrt() } else { 0.0 };
+        (square.sqrt(), minor)
     }
 
     /// Vectors shorter by a factor.

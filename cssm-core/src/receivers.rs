@@ -242,16 +242,23 @@ impl Body<'_> {
 
     /// The polytope cut by several half-spaces.
     pub fn cut_by(&self, planes: &[DVec4]) -> Polytope {
-        let mut cut = Polytope {
-            vertices: SmallVec::from_slice(self.vertices),
-            planes: SmallVec::from_slice(self.planes),
-            incidence: SmallVec::from_slice(self.incidence),
-            is_frustum: false,
-        };
+        let mut cut = Polytope::empty();
+        self.cut_into(planes, &mut cut);
+        cut
+    }
+
+    /// [`Self::cut_by`], in the place of another polytope.
+    pub(crate) fn cut_into(&self, planes: &[DVec4], cut: &mut Polytope) {
+        cut.vertices.clear();
+        cut.vertices.extend_from_slice(self.vertices);
+        cut.planes.clear();
+        cut.planes.extend_from_slice(self.planes);
+        cut.incidence.clear();
+        cut.incidence.extend_from_slice(self.incidence);
+        cut.is_frustum = false;
         for plane in planes {
             cut.cut(*plane);
         }
-        cut
     }
 
     /// Smallest and largest value of row.X / X.w over the vertices; infinite where a vertex at infinity makes it so.
@@ -353,8 +360,9 @@ fn coincide(one: DVec4, two: DVec4, size: f64) -> bool {
 
 /// The same homogeneous point with w = 1, or with unit length at infinity.
 fn normalised(point: DVec4) -> DVec4 {
-    if point.w > 0.0 && (point / point.w).is_finite() {
-        point / point.w
+    let scaled = point.truncate() * (1.0 / point.w);
+    if point.w > 0.0 && scaled.is_finite() {
+        scaled.extend(1.0)
     } else {
         (point.truncate() / point.truncate().abs().max_element()).normalize().extend(0.0)
     }

@@ -181,7 +181,7 @@ impl<'a> Tail<'a> {
             from_fn(|i| if weight[i] > 0.0 { weight[i] / (high[i] - low[i]) } else { 0.0 });
         let above = (1.0 - SHARE) * weight.iter().sum::<f64>();
         let top = from_fn(|i| high[i] * density[i]);
-        let alone = from_fn(|i| high[i] - above / density[i]);
+        let alone = from_fn(|i| high[i] - (high[i] - low[i]) * (above / weight[i]));
         Self { weight, high, density, top, alone, above }
     }
 
@@ -196,8 +196,10 @@ impl<'a> Tail<'a> {
         let alone = largest(|i| if self.weight[i] > self.above { self.alone[i] * factors[i] } else { 0.0 });
         let mut limits = (alone, most);
         let mut value = if alone > 0.0 { alone } else { FIRST * most };
-        let stretched: [f64; BEAMS] =
-            from_fn(|i| if factors[i] > 0.0 { self.density[i] / factors[i] } else { f64::MAX });
+        let per_factor = |factor: f64| if factor == 1.0 { 1.0 } else { 1.0 / factor };
+        let stretched: [f64; BEAMS] = from_fn(|i| {
+            if factors[i] > 0.0 { self.density[i] * per_factor(factors[i]) } else { f64::MAX }
+        });
         for _ in 0..ROUNDS {
             // Sums in lanes, which processors add side by side.
             let (mut above, mut slope) = ([0.0; LANES], [0.0; LANES]);

@@ -24,8 +24,13 @@ pub(super) fn list_planes(
     // Below: moving away from the light never enters a half-space that faces it.
     planes.clear();
     planes.reserve(receivers.len() + outline.len().max(4) + 1);
-    let below = receivers.iter().map(|plane| *plane / plane.truncate().length());
-    planes.extend(below.filter(|plane| plane.dot(light) > CONTAINS_LIGHT));
+    for plane in receivers {
+        // Most planes between facets contain the light.
+        let (facing, square) = (plane.dot(light), plane.truncate().length_squared());
+        if facing > 0.0 && facing * facing > CONTAINS_LIGHT * CONTAINS_LIGHT * square {
+            planes.push(*plane * (1.0 / square.sqrt()));
+        }
+    }
 
     // Around: the silhouette of the receivers in the light's view, moved out by the gutter.
     let margin = f64::from(tile.gutter).max(FEWEST_TEXELS);

@@ -11,6 +11,7 @@ use crate::case::{Bias, DepthFormat, Filter, LightCase};
 use crate::depth::{COMPARED_SAMPLES, DepthNeeds, DepthRow, depth_rows};
 use crate::facet::{Facet, FacetRows};
 use crate::plan::{DepthOrder, PlanError};
+use crate::polygon::Places;
 use crate::technique::Situation;
 use crate::view::View;
 
@@ -58,9 +59,9 @@ pub(super) fn finish(
     let draft = frame.facet(window);
     let reach = 0.5 * f64::from(situation.case.filter.texels_across());
     let corners = fitted.windows.outline(index);
-    let inset = region::inset((&window.rows, corners), &draft.region, &tile, reach);
-    let Inset { rows, clip, outline, inner_texels } =
-        inset.ok_or_else(|| map_area(situation).too_small(1))?;
+    let mut outline = Places::new();
+    let inset = region::inset((&window.rows, corners), &draft.region, (&tile, reach), &mut outline);
+    let Inset { rows, clip, inner_texels } = inset.ok_or_else(|| map_area(situation).too_small(1))?;
 
     // Measure texels across the light, per w.
     let texels = TexelsPerW::measure(&rows, inner_texels, samples, situation.view);
@@ -162,9 +163,10 @@ impl TexelsPerW {
         let mut majors: SmallVec<[f64; COMPARED_SAMPLES]> = SmallVec::new();
         let mut minors: SmallVec<[f64; COMPARED_SAMPLES]> = SmallVec::new();
         let step = samples.len().div_ceil(COMPARED_SAMPLES).max(1);
+        let per_texel = 1.0 / inner_texels;
         for Sample { point, gram } in samples.iter().step_by(step) {
             let w = rows.w.dot(point.extend(1.0));
-            let (major, minor) = gram.axes_pixels(inner_texels.x, inner_texels.y);
+            let (major, minor) = gram.axes_pixels(per_texel.x, per_texel.y);
             let metres_per_w = -point.z / (view.pixels_per_tangent() * w);
             if major.is_finite() && w > 0.0 {
                 majors.push(major * metres_per_w);

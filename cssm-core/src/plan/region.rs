@@ -4,7 +4,7 @@ use glam::{DVec2, DVec4};
 use smallvec::{SmallVec, smallvec};
 
 use crate::facet::{FacetRows, Tile};
-use crate::polygon::Outline;
+use crate::polygon::Places;
 use crate::technique::Region;
 
 /// Smallest radius of the circle inside a triangle's receivers, in texels.
@@ -20,8 +20,6 @@ pub(super) struct Inset {
     pub(super) rows: FacetRows,
     /// Half-spaces that casters are cut with.
     pub(super) clip: Clip,
-    /// Outline of its receivers in x/w and y/w.
-    pub(super) outline: Outline,
     /// Texels that the window's clip space, before it was moved, takes across and up.
     pub(super) inner_texels: DVec2,
 }
@@ -29,20 +27,23 @@ pub(super) struct Inset {
 /// Moves x and y rows off the tile's edges and off its neighbours in a shared tile by the gutter, and finds the
 /// half-spaces that casters are cut with. `None` when the gutters leave nothing.
 /// `reach` is the distance in texels along each axis from a receiver to the farthest texel centre that its filter reads.
+/// Lists the outline of its receivers in x/w and y/w.
 pub(super) fn inset(
     (rows, corners): (&FacetRows, &[DVec2]),
     region: &Region,
-    tile: &Tile,
-    reach: f64,
+    (tile, reach): (&Tile, f64),
+    outline: &mut Places,
 ) -> Option<Inset> {
     let (rows, clip, scale, shift) = moved(rows, region, tile, reach)?;
     let place = |corner: &DVec2| {
         let y = if rows.remap.is_none() { corner.y * scale.y + shift.y } else { corner.y };
         DVec2::new(corner.x * scale.x + shift.x, y)
     };
-    let outline = corners.iter().map(place).collect();
+    for corner in corners {
+        outline.push(place(corner));
+    }
     let inner_texels = scale * DVec2::new(f64::from(tile.width), f64::from(tile.height));
-    Some(Inset { rows, clip, outline, inner_texels })
+    Some(Inset { rows, clip, inner_texels })
 }
 
 /// The rows within their tile, half-spaces that casters are cut with, and what clip space was scaled and then shifted by.

@@ -28,7 +28,7 @@ pub(super) fn fitted(facet: &FacetDraft, receivers: Body<'_>, corners: &mut Corn
         if is_negligible(w, facet.w, *vertex) {
             continue;
         }
-        let place = DVec2::new(facet.x.dot(*vertex), facet.y.dot(*vertex)) / w;
+        let place = DVec2::new(facet.x.dot(*vertex), facet.y.dot(*vertex)) * (1.0 / w);
         (low, high) = (low.min(place), high.max(place));
         if w > 0.0 {
             places.push(place);

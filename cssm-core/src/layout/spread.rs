@@ -197,9 +197,8 @@ impl<'a> Tail<'a> {
         let mut limits = (alone, most);
         let mut value = if alone > 0.0 { alone } else { FIRST * most };
         let per_factor = |factor: f64| if factor == 1.0 { 1.0 } else { 1.0 / factor };
-        let stretched: [f64; BEAMS] = from_fn(|i| {
-            if factors[i] > 0.0 { self.density[i] * per_factor(factors[i]) } else { f64::MAX }
-        });
+        let stretched: [f64; BEAMS] =
+            from_fn(|i| if factors[i] > 0.0 { self.density[i] * per_factor(factors[i]) } else { f64::MAX });
         for _ in 0..ROUNDS {
             // Sums in lanes, which processors add side by side.
             let (mut above, mut slope) = ([0.0; LANES], [0.0; LANES]);

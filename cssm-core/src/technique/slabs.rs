@@ -4,11 +4,11 @@
 use glam::DVec4;
 use smallvec::SmallVec;
 
-use super::Sides;
+use super::{Draft, FacetDraft, Sides};
 
 use crate::case::{CaseError, LightCase};
 use crate::facet::Selection;
-use crate::receivers::DEPTH_ROW;
+use crate::receivers::{DEPTH_ROW, Polytope, Slices};
 use crate::schema::{Choice, Default, Field, Kind, Unit};
 
 const SCHEMES: &[Choice] = &[
@@ -74,6 +74,28 @@ pub(super) fn select(limits_metres: &[f64], slab: usize) -> Sides {
     let farther = farther.map(|limit| DEPTH_ROW - DVec4::W * *limit);
     let nearer = limits_metres.get(slab).map(|limit| DVec4::W * *limit - DEPTH_ROW);
     farther.into_iter().chain(nearer).collect()
+}
+
+/// The receivers as they are cut at ascending limits.
+pub(super) fn slices<'a>(limits_metres: &[f64], receivers: &'a Polytope) -> Option<Slices<'a>> {
+    let ascend = limits_metres.windows(2).all(|pair| pair[0] < pair[1]);
+    ascend.then(|| Slices::of(receivers.body(), DEPTH_ROW, DVec4::W)).flatten()
+}
+
+/// Adds a slab with the receivers up to its limit: the next slice of them, or what its own half-spaces leave.
+pub(super) fn push(
+    facet: FacetDraft,
+    limit_metres: Option<f64>,
+    (slices, all): (Option<&mut Slices<'_>>, &Polytope),
+    draft: &mut Draft,
+) {
+    match slices {
+        Some(slices) => {
+            let receivers = slices.next(limit_metres, &mut draft.bodies);
+            draft.facets.push(FacetDraft { receivers, ..facet });
+        }
+        None => draft.push_cut(facet, all),
+    }
 }
 
 /// Adds inner limits between slabs to their walk.

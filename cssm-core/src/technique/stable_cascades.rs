@@ -64,6 +64,7 @@ fn draft(situation: &Situation<'_>, word: &Word, drafts: &mut Drafts) -> Result<
 
     let draft = drafts.open(word.name, (1, splits));
     draft.reserve(splits as usize);
+    let mut slices = slabs::slices(&limits, &situation.receivers);
     for slab in 0..splits as usize {
         let (width, height) = sizes[slab];
         let (middle, radius) = sphere(view, ends[slab], ends[slab + 1]);
@@ -77,10 +78,11 @@ fn draft(situation: &Situation<'_>, word: &Word, drafts: &mut Drafts) -> Result<
             ((to_camera * axis).extend(-from_eye)) / (0.5 * texels * texel)
         };
         let select = slabs::select(&limits, slab);
-        let receivers = situation.receivers.cut_by(&select);
         let rows = [row(right.truncate(), width), row(up.truncate(), height), DVec4::W];
         let region = Region::Whole(TileRequest::Fixed(width, height));
-        draft.push(FacetDraft::straight(Cell::of(0, slab as u32), rows, select, region), receivers.body());
+        let limit = limits.get(slab).copied();
+        let facet = FacetDraft::straight(Cell::of(0, slab as u32), rows, select, region);
+        slabs::push(facet, limit, (slices.as_mut(), &situation.receivers), draft);
     }
     slabs::select_by(&limits, &mut draft.selection);
     Ok(())

@@ -1,4 +1,5 @@
-//! Criterion's view of the work on the CPU: planning every declaration that ships, holding its plan, and building a capture's
+//! Criterion's view of the work on the CPU: planning every declaration that ships, alone and frame by frame,
+//! holding its plan, and building a capture's
 //! commands.
 
 use std::hint::black_box;
@@ -23,6 +24,7 @@ fn main() -> ExitCode {
 
 fn run(criterion: &mut Criterion) -> Result<(), BenchError> {
     planning(criterion)?;
+    remaking(criterion)?;
     holding(criterion)?;
     commands(criterion)
 }
@@ -32,6 +34,16 @@ fn planning(criterion: &mut Criterion) -> Result<(), BenchError> {
     for job in plan_jobs(&Scene::palm())? {
         job.run()?;
         group.bench_function(&job.name, |bencher| bencher.iter(|| black_box(&job).run()));
+    }
+    group.finish();
+    Ok(())
+}
+
+fn remaking(criterion: &mut Criterion) -> Result<(), BenchError> {
+    let mut group = criterion.benchmark_group("remake");
+    for job in plan_jobs(&Scene::palm())? {
+        let mut remade = job.remade()?;
+        group.bench_function(&job.name, |bencher| bencher.iter(|| black_box(remade())));
     }
     group.finish();
     Ok(())

@@ -4,7 +4,9 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use cssm_core::{Light, LightCase, PlanError, PlanRequest, SceneBounds, ShadowPlan, View, ViewMargin, plan};
+use cssm_core::{
+    Light, LightCase, PlanError, PlanRequest, Planner, SceneBounds, ShadowPlan, View, ViewMargin, plan,
+};
 use cssm_lab::case_file::pick_case;
 use cssm_lab::gpu::{Gpu, SceneBuffers};
 use cssm_lab::scene::Scene;
@@ -35,6 +37,23 @@ impl PlanJob {
     /// What planning says.
     pub fn run(&self) -> Result<ShadowPlan, PlanError> {
         plan(&self.case, &self.view, &self.light, &self.bounds)
+    }
+
+    /// What a frame of a moving view does: makes the plan in the place of the last one, with memory that is kept.
+    ///
+    /// # Errors
+    /// What planning says.
+    pub fn remade(&self) -> Result<impl FnMut() -> bool + '_, PlanError> {
+        let (mut planner, mut plan) = (Planner::new(), ShadowPlan::empty());
+        planner.plan(&PlanRequest::new(&self.case, &self.view, &self.light, self.bounds), &mut plan)?;
+        let mut frame = 0_u8;
+        Ok(move || {
+            frame = 1 - frame;
+            let mut view = self.view;
+            view.eye_world.x += 0.01 * f64::from(frame);
+            let request = PlanRequest::new(&self.case, &view, &self.light, self.bounds);
+            planner.plan(&request, &mut plan).is_ok()
+        })
     }
 
     /// What a frame does with a plan that it holds: brings it to an eye a centimetre away, asks whether it covers what is seen

@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::case::LightCase;
 use crate::light::{Light, LightPosition};
-use crate::plan::{PlanError, PlanRequest, SceneBounds, ShadowPlan, make};
+use crate::plan::{PlanError, PlanRequest, Planner, SceneBounds, ShadowPlan, Work, make};
 use crate::technique::Fallback;
 use crate::view::View;
 
@@ -56,6 +56,21 @@ pub struct Prediction {
     /// 95th percentile of the texel footprint over sample receivers, screen pixels; infinite where it leaves some
     /// out.
     pub p95_pixels: f64,
+}
+
+impl ConfigurationChoice {
+    /// The choice of nothing.
+    pub(crate) const fn none() -> Self {
+        Self {
+            position: LightPosition::General,
+            configuration: "",
+            reason: ChoiceReason::Only,
+            predictions: Vec::new(),
+            complete: true,
+            fallback: None,
+            made_for_position: Vec::new(),
+        }
+    }
 }
 
 impl fmt::Display for ConfigurationChoice {
@@ -142,16 +157,40 @@ impl Chooser {
     /// # Errors
     /// As [`PlanRequest::plan`].
     pub fn plan_of(&mut self, request: &PlanRequest<'_>) -> Result<ShadowPlan, PlanError> {
+        let mut plan = ShadowPlan::empty();
+        self.make(request, &mut Work::default(), &mut plan)?;
+        Ok(plan)
+    }
+
+    /// [`Self::plan_of`] by a planner, in the place of another plan, whose memory it takes over.
+    ///
+    /// # Errors
+    /// As [`PlanRequest::plan`]; `plan` and the chooser stay as they were then.
+    pub fn plan_with(
+        &mut self,
+        planner: &mut Planner,
+        request: &PlanRequest<'_>,
+        plan: &mut ShadowPlan,
+    ) -> Result<(), PlanError> {
+        self.make(request, planner.work(), plan)
+    }
+
+    fn make(
+        &mut self,
+        request: &PlanRequest<'_>,
+        work: &mut Work,
+        plan: &mut ShadowPlan,
+    ) -> Result<(), PlanError> {
         let kept = Kept { configuration: self.current, frames: self.frames_left };
-        let plan = make(request, kept)?;
+        make(request, kept, work, plan)?;
+        let is_switch = self.current.is_some_and(|current| current != plan.configuration);
         if plan.facets.is_empty() {
             self.frames_left = self.frames_left.saturating_sub(1);
-            return Ok(plan);
+            return Ok(());
         }
-        let switched = self.current.is_some_and(|current| current != plan.configuration);
-        self.frames_left = if switched { self.dwell_frames } else { self.frames_left.saturating_sub(1) };
+        self.frames_left = if is_switch { self.dwell_frames } else { self.frames_left.saturating_sub(1) };
         self.current = Some(plan.configuration);
-        Ok(plan)
+        Ok(())
     }
 }
 
@@ -188,9 +227,13 @@ pub(crate) fn choose(predictions: &[Prediction], kept: Kept) -> (usize, ChoiceRe
     }
 }
 
-/// Names of the technique's configurations that are made for a position of the light, if none of those declared is.
-pub(crate) fn made_for(case: &LightCase, position: LightPosition) -> Vec<&'static str> {
+/// Lists names of the technique's configurations that are made for a position of the light, if none of those declared is.
+pub(crate) fn list_made_for(case: &LightCase, position: LightPosition, names: &mut Vec<&'static str>) {
     let spec = case.technique_spec();
-    let made: Vec<_> = spec.made_for(case.light, position).collect();
-    if case.configurations.iter().any(|word| made.contains(&word.name)) { Vec::new() } else { made }
+    let made = || spec.made_for(case.light, position);
+    let is_declared = |name: &'static str| case.configurations.iter().any(|word| word.name == name);
+    names.clear();
+    if !made().any(is_declared) {
+        names.extend(made());
+    }
 }

@@ -9,7 +9,7 @@ use smallvec::SmallVec;
 
 use crate::facet::FacetRows;
 use crate::plan::DepthOrder;
-use crate::receivers::{DEPTH_ROW, Polytope, is_negligible};
+use crate::receivers::{Body, DEPTH_ROW, Polytope, is_negligible};
 
 /// A depth row and its slope.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +28,7 @@ pub(crate) struct DepthNeeds<'a> {
     /// The light as a homogeneous point, camera axes.
     pub light: DVec4,
     /// Everything that needs a depth.
-    pub receivers: &'a Polytope,
+    pub receivers: Body<'a>,
     /// Kept free before and behind the receivers, metres along the light per w.
     pub margin_metres_per_w: f64,
     /// Kept free before the receivers besides, for casters whose distance is to be told, metres along the light per w, or, for
@@ -61,22 +61,29 @@ pub(crate) fn depth_rows(
     // Where the view looks along the light, a facet near that axis holds receivers at any distance: leave out those
     // that are too far to be told apart on the screen.
     let w = rows.w;
-    let told_apart = Part::of(needs.receivers, w * needs.farthest_metres_per_w - DEPTH_ROW);
+    let (mut told_apart, mut from_light) = (Polytope::empty(), Polytope::empty());
+    let far = w * needs.farthest_metres_per_w - DEPTH_ROW;
+    let (receivers, beyond) = part(needs.receivers, far, &mut told_apart);
 
     // A local light among the receivers needs a near plane; floats keep their precision whatever it is.
-    let whole = needs.near_w.map(|near_w| (told_apart.polytope(), w - DVec4::W * near_w));
-    let from_light = whole.map(|(whole, near)| Part::of(whole, near));
-    let part = from_light.as_ref().unwrap_or(&told_apart);
-    let receivers = part.polytope();
-    let beside = [Some(&told_apart), from_light.as_ref()].into_iter().flatten().filter_map(Part::beside);
-    let places = places(receivers, w, needs.light);
-    let terms = Terms::of(w, needs, samples);
+    let (receivers, before) = match needs.near_w {
+        Some(near_w) => part(receivers, w - DVec4::W * near_w, &mut from_light),
+        None => (receivers, None),
+    };
+    let beside = [beyond, before].into_iter().flatten();
+    let mut places = Places::new();
+    list_places(receivers, w, needs.light, &mut places);
+    let mut terms = Terms { samples: SmallVec::new(), shear: needs.shear };
+    terms.list(w, needs, samples);
 
     // Try every face of the polytope and the plane across the light (facet algebra: zeta0 = -sign(pi.L) pi).
     let across_light = if needs.light.w > 0.0 { -DVec4::W } else { (-needs.light.truncate()).extend(0.0) };
-    let faces = receivers.planes.iter().copied().chain(beside).map(|plane| {
-        let plane = plane / plane.truncate().length();
-        if plane.dot(needs.light) > 0.0 { -plane } else { plane }
+    let faces = receivers.planes.iter().copied().chain(beside).filter_map(|plane| {
+        let (slope, square) = (plane.dot(needs.light), plane.truncate().length_squared());
+        // Most planes between facets contain the light.
+        let is_usable = slope * slope >= 0.5 * SMALLEST_SLOPE * SMALLEST_SLOPE * square;
+        let plane = plane / if is_usable { square.sqrt() } else { return None };
+        Some(if slope > 0.0 { -plane } else { plane })
     });
     let mut best: [Option<DepthRow>; 2] = [None; 2];
     for zeta in std::iter::once(across_light).chain(faces) {
@@ -95,64 +102,50 @@ pub(crate) fn depth_rows(
                 DepthOrder::Standard => zeta - w * first,
                 DepthOrder::Reversed => w * last - zeta,
             };
-            let depth_per_metre = slope / extent;
+            // Rounding is the same at any scale of the row.
             let limit = best.map_or(f64::INFINITY, |best| best.rounding);
-            let Some(rounding) = terms.rounding(row / extent, depth_per_metre, limit) else { continue };
+            let rounding = match terms.samples.is_empty() {
+                true => Some(extent / slope),
+                false => terms.rounding(row, slope, limit),
+            };
+            let Some(rounding) = rounding else { continue };
             if best.is_none() || rounding < limit {
-                *best = Some(DepthRow { row: row / extent, depth_per_metre, rounding });
+                let per_extent = 1.0 / extent;
+                let (row, depth_per_metre) = (row * per_extent, slope * per_extent);
+                *best = Some(DepthRow { row, depth_per_metre, rounding });
             }
         }
     }
     best
 }
 
-/// A polytope cut by a plane, if that leaves anything; not copied where there is nothing to cut off.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "a polytope in place asks for no memory, and parts are never stored"
-)]
-enum Part<'a> {
-    /// The whole polytope lies on the plane's right side.
-    Whole(&'a Polytope, DVec4),
-    /// The plane would leave nothing.
-    Kept(&'a Polytope),
-    Cut(Polytope),
+/// A polytope cut by a plane, in `cut`, if there is anything to cut off and anything left; and the plane, where it is none
+/// of the polytope's.
+fn part<'a>(whole: Body<'a>, plane: DVec4, cut: &'a mut Polytope) -> (Body<'a>, Option<DVec4>) {
+    if whole.vertices.iter().all(|vertex| plane.dot(*vertex) >= 0.0) {
+        return (whole, Some(plane));
+    }
+    whole.cut_into(&[plane], cut);
+    (if cut.is_empty() { whole } else { cut.body() }, None)
 }
 
-impl<'a> Part<'a> {
-    fn of(whole: &'a Polytope, plane: DVec4) -> Self {
-        if whole.vertices.iter().all(|vertex| plane.dot(*vertex) >= 0.0) {
-            return Self::Whole(whole, plane);
-        }
-        let cut = whole.cut_by(&[plane]);
-        if cut.is_empty() { Self::Kept(whole) } else { Self::Cut(cut) }
-    }
+/// Points with w = 1, and how much a metre along the light counts there.
+type Places = SmallVec<[(DVec4, f64); 48]>;
 
-    fn polytope(&self) -> &Polytope {
-        match self {
-            Self::Whole(whole, _) | Self::Kept(whole) => whole,
-            Self::Cut(cut) => cut,
-        }
-    }
-
-    /// The plane, where it is none of the polytope's.
-    fn beside(&self) -> Option<DVec4> {
-        match self {
-            Self::Whole(_, plane) => Some(*plane),
-            Self::Kept(_) | Self::Cut(_) => None,
-        }
-    }
-}
-
-/// The receivers' vertices with w = 1, and how much a metre along the light counts there: the less, the farther a local
-/// light is. Vertices whose w vanishes are passed over, see [`Polytope::ratio_range`].
-fn places(receivers: &Polytope, w: DVec4, light: DVec4) -> SmallVec<[(DVec4, f64); 24]> {
-    let place = |vertex: &DVec4| {
+/// Lists the receivers' vertices with w = 1: a metre along the light counts the less, the farther a local light is. Vertices
+/// whose w vanishes are passed over, see [`Body::ratio_range`].
+fn list_places(receivers: Body<'_>, w: DVec4, light: DVec4, places: &mut Places) {
+    for vertex in receivers.vertices {
         let scale = w.dot(*vertex);
-        let per_metre = 1.0 / light_distance(light, *vertex).max(f64::MIN_POSITIVE);
-        (!is_negligible(scale, w, *vertex)).then(|| (*vertex / scale, per_metre))
-    };
-    receivers.vertices.iter().filter_map(place).collect()
+        if !is_negligible(scale, w, *vertex) {
+            let per_metre = if light.w == 0.0 {
+                1.0
+            } else {
+                1.0 / light_distance(light, *vertex).max(f64::MIN_POSITIVE)
+            };
+            places.push((*vertex * (1.0 / scale), per_metre));
+        }
+    }
 }
 
 /// Smallest and largest zeta/w over the receivers, with a margin along the light.
@@ -190,34 +183,30 @@ struct Terms {
 }
 
 impl Terms {
-    fn of(w: DVec4, needs: &DepthNeeds<'_>, samples: impl ExactSizeIterator<Item = DVec3>) -> Self {
+    fn list(&mut self, w: DVec4, needs: &DepthNeeds<'_>, samples: impl ExactSizeIterator<Item = DVec3>) {
         let step = samples.len().div_ceil(COMPARED_SAMPLES).max(1);
-        let terms = samples.step_by(step).map(|point| {
+        for point in samples.step_by(step) {
             let sheared = needs.shear * point.z + DVec2::new(point.x, point.y);
             let terms = DVec4::new(sheared.x, sheared.y, point.z, 1.0).abs();
             let homogeneous = point.extend(1.0);
-            (terms, light_distance(needs.light, homogeneous) / w.dot(homogeneous))
-        });
-        Self { samples: terms.collect(), shear: needs.shear }
+            self.samples.push((terms, light_distance(needs.light, homogeneous) / w.dot(homogeneous)));
+        }
     }
 
     /// How far rounding moves depth along the light: the 95th percentile over samples, in float steps and metres per w.
     /// `None` where that is above a limit.
-    fn rounding(&self, row: DVec4, depth_per_metre: f64, limit: f64) -> Option<f64> {
+    fn rounding(&self, row: DVec4, slope: f64, limit: f64) -> Option<f64> {
         /// Largest values that can matter.
         const LARGEST: usize = COMPARED_SAMPLES - COMPARED_SAMPLES * JUDGED_PERCENT / 100;
         let along = row.z - self.shear.dot(DVec2::new(row.x, row.y));
         let row = DVec4::new(row.x, row.y, along, row.w).abs();
         let count = self.samples.len();
-        if count == 0 {
-            return Some(1.0 / depth_per_metre);
-        }
 
         // Keep as many of the largest values, in falling order, as lie at and above the rank.
         let rank = (count - count * JUDGED_PERCENT / 100).min(LARGEST);
         let mut largest = [f64::NEG_INFINITY; LARGEST];
         let largest = &mut largest[..rank];
-        let limit = limit * depth_per_metre;
+        let limit = limit * slope;
         if let [only] = largest {
             for (terms, weight) in &self.samples {
                 let value = row.dot(*terms) * weight;
@@ -225,7 +214,7 @@ impl Terms {
                     *only = value;
                 }
             }
-            return (*only <= limit).then_some(*only / depth_per_metre);
+            return (*only <= limit).then_some(*only / slope);
         }
         for (terms, weight) in &self.samples {
             let mut value = row.dot(*terms) * weight;
@@ -238,6 +227,6 @@ impl Terms {
                 return None;
             }
         }
-        Some(largest[rank - 1] / depth_per_metre)
+        Some(largest[rank - 1] / slope)
     }
 }

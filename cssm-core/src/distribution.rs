@@ -10,6 +10,8 @@ mod two_segment;
 pub use perspective::perspective_piece;
 pub(crate) use perspective::push_back_metres;
 
+use smallvec::SmallVec;
+
 use crate::case::{LightCase, Stretch};
 use crate::fit::Profile;
 use crate::focus::Focus;
@@ -28,7 +30,7 @@ pub struct DistributionSpec {
     /// Whether its rows can do without bending.
     pub straight: bool,
     /// The pieces of one column, nearest first.
-    pub split: fn(&Arguments, &DistanceRange) -> Vec<Piece>,
+    pub split: fn(&Arguments, &DistanceRange) -> Pieces,
 }
 
 /// Families of remaps; the shaders of a case know one.
@@ -106,6 +108,9 @@ pub struct Piece {
     pub focus_metres: f64,
 }
 
+/// The pieces of one column.
+pub type Pieces = SmallVec<[Piece; 16]>;
+
 /// Number of pieces in every column of a case.
 pub fn pieces(case: &LightCase) -> u32 {
     let (spec, arguments) = of(case);
@@ -131,7 +136,7 @@ pub fn spec(name: &str) -> Option<&'static DistributionSpec> {
 }
 
 /// The pieces of one column of a case.
-pub fn split(case: &LightCase, range: &DistanceRange) -> Vec<Piece> {
+pub fn split(case: &LightCase, range: &DistanceRange) -> Pieces {
     let (spec, arguments) = of(case);
     (spec.split)(arguments, range)
 }

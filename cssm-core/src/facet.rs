@@ -176,8 +176,9 @@ pub struct Selection {
     pub borders: Vec<DVec4>,
     /// Distance row of each sector; empty when the shape has one band.
     pub distances: Vec<DVec4>,
-    /// Ascending thresholds of each sector, `bands - 1` of them: band = how many the distance has reached.
-    pub thresholds: Vec<Vec<f64>>,
+    /// Thresholds of all sectors one after the other, `bands - 1` for each, ascending: band = how many the distance has
+    /// reached.
+    pub thresholds: Vec<f64>,
     /// Unit row of each sector that thresholds are multiplied with; empty where all are `(0, 0, 0, 1)`.
     pub units: Vec<DVec4>,
     /// Sectors in each half.
@@ -206,12 +207,12 @@ impl Cell {
 
 impl Selection {
     /// The walk of a plan with one facet.
-    pub fn single() -> Self {
+    pub const fn single() -> Self {
         Self::around(1, 1)
     }
 
     /// A walk with so many sectors in each half and bands in each sector, whose rows are still to be listed.
-    pub fn around(sectors: u32, bands: u32) -> Self {
+    pub const fn around(sectors: u32, bands: u32) -> Self {
         Self {
             dominant: None,
             split: None,
@@ -224,21 +225,50 @@ impl Selection {
         }
     }
 
+    /// Makes it the walk of a plan with so many sectors and bands, whose rows are still to be listed.
+    pub(crate) fn begin(&mut self, sectors: u32, bands: u32) {
+        (self.dominant, self.split) = (None, None);
+        (self.sectors, self.bands) = (sectors, bands);
+        self.borders.clear();
+        self.distances.clear();
+        self.thresholds.clear();
+        self.units.clear();
+    }
+
+    /// Makes room for so many cells.
+    pub(crate) fn reserve(&mut self, cells: usize) {
+        self.begin(1, 1);
+        self.borders.reserve(cells);
+        self.distances.reserve(cells);
+        self.thresholds.reserve(cells);
+        self.units.reserve(cells);
+    }
+
+    /// Thresholds of a sector, halves counted through.
+    pub fn limits(&self, sector: usize) -> &[f64] {
+        let count = self.bands.saturating_sub(1) as usize;
+        self.thresholds.get(sector * count..(sector + 1) * count).unwrap_or(&[])
+    }
+
     /// The walk of a plan that may have fewer halves, sectors and bands than the shape of its case: what is missing is
     /// never reached.
-    pub fn padded(self, shape: &FacetShape) -> Self {
+    #[must_use]
+    pub fn padded(&self, shape: &FacetShape) -> Self {
+        let mut padded = Self::single();
+        self.pad(shape, &mut padded);
+        padded
+    }
+
+    /// [`Self::padded`] in the place of another walk.
+    pub(crate) fn pad(&self, shape: &FacetShape, padded: &mut Self) {
         let own_sectors = self.sectors.max(1) as usize;
         let (halves, sectors, bands) = (shape.halves as usize, shape.sectors as usize, shape.bands as usize);
-        let place = |half: usize, sector: usize| half * own_sectors + sector;
-        let own = |half: usize, sector: usize| sector < own_sectors && (half == 0 || self.split.is_some());
-
-        let mut padded = Self {
-            dominant: self.dominant.or_else(|| shape.dominant.then_some([DVec4::W * NEVER, -DVec4::W])),
-            split: self.split.or_else(|| (halves > 1).then_some(DVec4::W)),
-            ..Self::around(shape.sectors, shape.bands)
-        };
+        padded.begin(shape.sectors, shape.bands);
+        padded.dominant = self.dominant.or_else(|| shape.dominant.then_some([DVec4::W * NEVER, -DVec4::W]));
+        padded.split = self.split.or_else(|| (halves > 1).then_some(DVec4::W));
         for (half, sector) in (0..halves).flat_map(|half| (0..sectors).map(move |sector| (half, sector))) {
-            let listed = own(half, sector).then(|| place(half, sector));
+            let is_own = sector < own_sectors && (half == 0 || self.split.is_some());
+            let listed = is_own.then_some(half * own_sectors + sector);
             if sectors > 1 {
                 let border = listed.and_then(|place| self.borders.get(place)).copied();
                 padded.borders.push(border.unwrap_or(if sector == 0 { DVec4::W } else { -DVec4::W }));
@@ -246,17 +276,15 @@ impl Selection {
             if bands > 1 {
                 let distance = listed.and_then(|place| self.distances.get(place)).copied();
                 padded.distances.push(distance.unwrap_or(DVec4::W));
-                let limits = listed.and_then(|place| self.thresholds.get(place)).cloned();
-                let mut limits = limits.unwrap_or_default();
-                limits.resize(bands - 1, f64::MAX);
-                padded.thresholds.push(limits);
+                let limits = listed.map_or(&[][..], |place| self.limits(place));
+                padded.thresholds.extend_from_slice(limits);
+                padded.thresholds.resize(padded.distances.len() * (bands - 1), f64::MAX);
                 if !self.units.is_empty() {
                     let unit = listed.and_then(|place| self.units.get(place)).copied();
                     padded.units.push(unit.unwrap_or(DVec4::W));
                 }
             }
         }
-        padded
     }
 
     /// The sector of a homogeneous point relative to the eye, halves counted through: `half * sectors + sector`.
@@ -290,7 +318,7 @@ impl Selection {
             Some(row) => {
                 let distance = row.dot(point);
                 let unit = self.units.get(sector as usize).map_or(point.w, |unit| unit.dot(point));
-                let limits = self.thresholds.get(sector as usize).map_or(&[][..], Vec::as_slice);
+                let limits = self.limits(sector as usize);
                 limits.iter().map(|limit| u32::from(distance >= *limit * unit)).sum()
             }
         };

@@ -30,7 +30,7 @@ use std::cmp::Ordering;
 use glam::DVec3;
 
 pub use self::histogram::{BINS, DepthBin, DepthHistogram, SQUARE_PIXELS, WORDS, bin, bin_range_metres};
-pub(crate) use self::narrow::{narrowed, narrowed_range};
+pub(crate) use self::narrow::{narrow, narrowed_range};
 pub use self::profile::Profile;
 use crate::case::Fit;
 use crate::plan::{BoundingBox, PlanError};
@@ -190,8 +190,9 @@ impl Sighted {
         let owners = draft.owners();
         let mut counts = vec![0; draft.facets.len()];
         for point in points {
-            if let Some(Some(owner)) = owners.get(draft.selection.cell(point.extend(1.0)) as usize) {
-                counts[*owner] += 1;
+            let owner = owners.get(draft.selection.cell(point.extend(1.0)) as usize);
+            if let Some(count) = owner.and_then(|owner| counts.get_mut(*owner as usize)) {
+                *count += 1;
             }
         }
         Some(counts)

@@ -15,6 +15,7 @@ pub use self::spread::Spread;
 use crate::facet::Tile;
 use crate::plan::PlanError;
 use crate::technique::TileRequest;
+use smallvec::SmallVec;
 
 /// Smallest side of a tile's inner part, in texels.
 const SMALLEST_INNER_SIDE: u32 = 4;
@@ -63,11 +64,16 @@ impl Gram {
         0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()
     }
 
-    /// Major and minor axis in pixels of one texel of a tile of this inner size.
-    pub(crate) fn axes_pixels(&self, width: f64, height: f64) -> (f64, f64) {
-        let major = self.major_pixels(width, height);
-        let area = (self.xx * self.yy - self.xy * self.xy).max(0.0).sqrt() / (width * height);
-        (major, if major > 0.0 { area / major } else { 0.0 })
+    /// Major and minor axis in pixels of one texel of a tile with these inverses of its inner sides.
+    pub(crate) fn axes_pixels(&self, per_width: f64, per_height: f64) -> (f64, f64) {
+        let xx = self.xx * per_width * per_width;
+        let yy = self.yy * per_height * per_height;
+        let xy = self.xy * per_width * per_height;
+        let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+        let square = mean + (half * half + xy * xy).sqrt();
+        let area = (self.xx * self.yy - self.xy * self.xy).max(0.0) * per_width * per_height;
+        let minor = if square > 0.0 { (area * per_width * per_height / square).sqrt() } else { 0.0 };
+        (square.sqrt(), minor)
     }
 
     /// Vectors shorter by a factor.
@@ -122,19 +128,48 @@ pub(crate) const fn is_balanced(request: TileRequest) -> bool {
 /// # Errors
 /// [`PlanError::MapTooSmall`] when they do not fit.
 pub fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Placement>, PlanError> {
-    if demands.iter().all(|demand| is_balanced(demand.request)) {
-        return equal::place(demands, area);
+    let mut placed = Placements::new();
+    Layout::default().place(demands, area, &mut placed)?;
+    Ok(placed.into_vec())
+}
+
+/// Places of tiles.
+pub(crate) type Placements = SmallVec<[Placement; 4]>;
+
+/// What placing tiles works in.
+#[derive(Debug, Default)]
+pub(crate) struct Layout {
+    search: equal::Search,
+    tiles: strips::Few<Tile>,
+}
+
+impl Layout {
+    /// Makes room for so many tiles.
+    pub(crate) fn make_room(&mut self, most: usize) {
+        self.search.make_room(most);
+        self.tiles.reserve(most.saturating_sub(self.tiles.len()));
     }
-    let fixed: Option<Vec<(u32, u32)>> = demands
-        .iter()
-        .map(|demand| match demand.request {
+
+    /// [`place`], into a list.
+    pub(crate) fn place(
+        &mut self,
+        demands: &[TileDemand],
+        area: &MapArea,
+        placed: &mut Placements,
+    ) -> Result<(), PlanError> {
+        if demands.iter().all(|demand| is_balanced(demand.request)) {
+            return self.search.place(demands, area, placed);
+        }
+        let sizes = demands.iter().map(|demand| match demand.request {
             TileRequest::Fixed(width, height) => Some((width, height)),
             _ => None,
-        })
-        .collect();
-    let tiles = match fixed {
-        Some(sizes) => fixed::place(&sizes, area),
-        None => shares::place(demands, area),
-    }?;
-    Ok(tiles.into_iter().map(|tile| Placement { tile, turned: false }).collect())
+        });
+        match sizes.collect::<Option<SmallVec<[(u32, u32); 16]>>>() {
+            Some(sizes) => fixed::place(&sizes, area, &mut self.tiles)?,
+            None => shares::place(demands, area, &mut self.tiles)?,
+        }
+        placed.clear();
+        placed.extend(self.tiles.iter().map(|tile| Placement { tile: *tile, turned: false }));
+        Ok(())
+    }
 }

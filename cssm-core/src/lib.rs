@@ -60,5 +60,7 @@ pub use choose::Chooser;
 pub use fit::Seen;
 pub use glam;
 pub use light::Light;
-pub use plan::{BoundingBox, MapRegion, PlanError, PlanRequest, SceneBounds, ShadowPlan, ViewMargin, plan};
+pub use plan::{
+    BoundingBox, MapRegion, PlanError, PlanRequest, Planner, SceneBounds, ShadowPlan, ViewMargin, plan,
+};
 pub use view::View;

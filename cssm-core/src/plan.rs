@@ -7,12 +7,15 @@ mod casters;
 mod dominant;
 mod finish;
 mod fitted;
+mod fitting;
 mod held;
 mod inner;
 mod lit;
 mod make;
+mod planner;
 mod region;
 mod request;
+mod rows;
 mod snap;
 mod texels;
 mod visible;
@@ -22,6 +25,8 @@ pub(crate) use self::dominant::DominantFacet;
 pub use self::dominant::dominant_plane;
 pub use self::held::PlanBasis;
 pub(crate) use self::make::make;
+pub use self::planner::Planner;
+pub(crate) use self::planner::Work;
 pub use self::request::{MapRegion, PlanRequest, ViewMargin};
 use crate::case::{LightCase, MOST_GROUND_PLANES};
 use crate::choose::ConfigurationChoice;
@@ -238,7 +243,34 @@ pub enum PlanError {
     },
 }
 
+impl Default for ShadowPlan {
+    fn default() -> Self {
+        Self::empty()
+    }
+}
+
 impl ShadowPlan {
+    /// A plan of nothing, made for no view and no case: a place for a [`Planner`]'s plans.
+    #[must_use]
+    pub const fn empty() -> Self {
+        let region = MapRegion { x: 0, y: 0, width: 0, height: 0 };
+        Self {
+            configuration: "",
+            choice: ConfigurationChoice::none(),
+            eye_world: DVec3::ZERO,
+            camera_from_world: DMat3::IDENTITY,
+            shear: DVec2::ZERO,
+            light: DVec4::Y,
+            pixel_metres: DVec4::ZERO,
+            depth_order: DepthOrder::Standard,
+            map_size_texels: (0, 0),
+            region,
+            basis: PlanBasis::none(),
+            selection: Selection::around(1, 1),
+            facets: Vec::new(),
+        }
+    }
+
     /// From directions of world axes to the sheared camera axes of capture records: compose instance transforms with it
     /// in f64 and round once.
     pub fn capture_from_world(&self) -> DMat3 {

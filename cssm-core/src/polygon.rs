@@ -1,13 +1,15 @@
 //! Convex outlines in a facet's clip space.
 
 use glam::{DVec2, DVec4};
-use smallvec::SmallVec;
+use smallvec::{Array, SmallVec};
 
 use crate::facet::FacetRows;
 use crate::receivers::is_negligible;
 
-/// Corners of an outline; most have few.
-pub(crate) type Outline = SmallVec<[DVec2; 16]>;
+/// Corners of an outline, with room for what its hull is found in.
+pub(crate) type Outline = SmallVec<[DVec2; 96]>;
+/// Points in x/w and y/w.
+pub(crate) type Places = SmallVec<[DVec2; 48]>;
 
 /// Convex outline (counter-clockwise) of a receiver vertex list in a facet's x/w and y/w: its clip space, unless its rows
 /// are bent.
@@ -61,32 +63,61 @@ pub fn area(outline: &[DVec2]) -> f64 {
 }
 
 /// Convex hull by monotone chains, counter-clockwise.
-fn hull(mut points: Outline) -> Outline {
-    points.retain(|point| point.is_finite());
-    points.sort_unstable_by(|one, two| one.x.total_cmp(&two.x).then(one.y.total_cmp(&two.y)));
-    points.dedup();
-    if points.len() < 3 {
-        return points;
-    }
+fn hull(mut points: Places) -> Outline {
     let mut outline = Outline::new();
-    chain(&mut outline, points.iter());
-    chain(&mut outline, points.iter().rev());
+    add_hull(&mut points, &mut outline);
     outline
 }
 
-/// Adds a chain of sorted points, without its last, that turns left only.
-fn chain<'a>(outline: &mut Outline, points: impl Iterator<Item = &'a DVec2>) {
-    let start = outline.len();
+/// Adds the convex hull of some points to a list of corners.
+pub(crate) fn add_hull<A: Array<Item = DVec2>>(points: &mut Places, corners: &mut SmallVec<A>) {
+    points.retain(|point| point.is_finite());
+    sort(points);
+    points.dedup();
+    let (start, count) = (corners.len(), points.len());
+    if count < 3 {
+        corners.extend_from_slice(points);
+        return;
+    }
+
+    // Each chain turns left only; its last point begins the next.
+    corners.resize(start + 2 * count, DVec2::ZERO);
+    let below = chain(&mut corners[start..], points.iter());
+    let above = chain(&mut corners[start + below..], points.iter().rev());
+    corners.truncate(start + below + above);
+}
+
+/// Sorts points, few and mostly half in order, by x and then by y.
+fn sort(points: &mut [DVec2]) {
+    for end in 1..points.len() {
+        let point = points[end];
+        let mut place = end;
+        while place > 0 {
+            let before = points[place - 1];
+            if before.x < point.x || (before.x == point.x && before.y <= point.y) {
+                break;
+            }
+            points[place] = before;
+            place -= 1;
+        }
+        points[place] = point;
+    }
+}
+
+/// Writes a chain of sorted points that turns left only and says how many it has but for its last.
+fn chain<'a>(corners: &mut [DVec2], points: impl Iterator<Item = &'a DVec2>) -> usize {
+    let mut count = 0;
     for point in points {
-        while let [.., one, two] = outline[start..] {
+        while let [.., one, two] = corners[..count] {
             if (two - one).perp_dot(*point - two) > 0.0 {
                 break;
             }
-            outline.pop();
+            count -= 1;
         }
-        outline.push(*point);
+        corners[count] = *point;
+        count += 1;
     }
-    outline.pop();
+    count.saturating_sub(1)
 }
 
 #[cfg(test)]
@@ -95,7 +126,7 @@ mod tests {
 
     #[test]
     fn hull_of_a_square_with_inner_points_has_its_area() {
-        let mut points = Outline::from_slice(&[DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE]);
+        let mut points = Places::from_slice(&[DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE]);
         points.extend([DVec2::splat(0.5), DVec2::new(0.2, 0.9), DVec2::new(0.5, 0.0)]);
         let outline = hull(points);
         assert_eq!(outline.len(), 4);

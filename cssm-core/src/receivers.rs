@@ -7,14 +7,20 @@
 use glam::{DMat3, DVec3, DVec4};
 use smallvec::SmallVec;
 
+mod bodies;
+mod slices;
+
+pub(crate) use self::bodies::Bodies;
+pub use self::bodies::BodyPlace;
+pub(crate) use self::slices::Slices;
 use crate::plan::BoundingBox;
 use crate::view::View;
 
 /// Row of the depth along the view axis, camera space.
 pub(crate) const DEPTH_ROW: DVec4 = DVec4::new(0.0, 0.0, -1.0, 0.0);
 
-/// Vertices that need no allocation.
-const FEW: usize = 32;
+/// Vertices that need no allocation: more than views cut by what a light reaches have.
+const FEW: usize = 48;
 /// Planes that need no allocation.
 const FEW_PLANES: usize = 32;
 
@@ -31,12 +37,20 @@ pub struct Polytope {
     is_frustum: bool,
 }
 
+/// A convex polytope that lies elsewhere.
+#[derive(Debug, Clone, Copy)]
+pub struct Body<'a> {
+    /// Vertices, homogeneous, w >= 0.
+    pub vertices: &'a [DVec4],
+    /// Half-spaces h.X >= 0 whose meet is the polytope.
+    pub planes: &'a [DVec4],
+    incidence: &'a [u64],
+}
+
 /// Distance from a plane, relative to plane and point, below which a vertex counts as lying on it.
 const ON_PLANE: f64 = 1e-13;
 /// Value of a row, relative to its terms on the vertex, below which a vertex is a direction along the light.
 const ALONG_LIGHT: f64 = 1e-12;
-/// Vertices whose distances from a plane need no allocation.
-const FEW_VERTICES: usize = 48;
 const AT_INFINITY: u64 = 1 << 63;
 /// Plane bits end below the bit of infinity.
 const PLANE_LIMIT: usize = 63;
@@ -110,39 +124,33 @@ impl Polytope {
         let bit = 1_u64 << self.planes.len();
         self.planes.push(plane);
         self.is_frustum = false;
-        let mut short = [0.0; FEW_VERTICES];
-        let mut long = Vec::new();
-        let signed = match short.get_mut(..self.vertices.len()) {
-            Some(few) => few,
-            None => {
-                long.resize(self.vertices.len(), 0.0);
-                &mut long[..]
+
+        // Find where every vertex lies.
+        let (vertices, incidence) = (&mut self.vertices[..], &mut self.incidence[..]);
+        let mut signed: SmallVec<[f64; FEW]> = SmallVec::new();
+        let mut beyond: SmallVec<[usize; FEW]> = SmallVec::new();
+        let mut is_crossed = false;
+        for (index, (vertex, planes)) in vertices.iter().zip(&mut *incidence).enumerate() {
+            let value = signed_distance(plane, *vertex);
+            signed.push(value);
+            if value < 0.0 {
+                beyond.push(index);
             }
-        };
-        let (mut inside, mut outside) = (false, false);
-        for (value, (vertex, planes)) in signed.iter_mut().zip(self.vertices.iter().zip(&mut self.incidence))
-        {
-            *value = signed_distance(plane, *vertex);
-            inside |= *value > 0.0;
-            outside |= *value < 0.0;
-            *planes |= if *value == 0.0 { bit } else { 0 };
+            is_crossed |= value > 0.0;
+            *planes |= if value == 0.0 { bit } else { 0 };
         }
-        if !outside {
+        if beyond.is_empty() {
             return;
         }
-
-        // Points count as one within the rounding of a metre, or of the whole where that is smaller.
-        let finite = self.vertices.iter().filter(|vertex| vertex.w > 0.0);
-        let size = finite.map(|vertex| vertex.truncate().abs().max_element()).fold(0.0, f64::max).min(1.0);
+        let size = finite_size(vertices);
 
         // Find a vertex on every edge that crosses.
         let mut crossings: SmallVec<[(DVec4, u64); 16]> = SmallVec::new();
-        let sides = |sign: f64| signed.iter().enumerate().filter(move |(_, value)| sign * **value > 0.0);
-        if inside {
-            for (a, inside) in sides(1.0) {
-                for (b, outside) in sides(-1.0) {
-                    let Some(shared) = self.edge(a, b) else { continue };
-                    let point = normalised(self.vertices[a] * -outside + self.vertices[b] * *inside);
+        if is_crossed {
+            for (a, inside) in signed.iter().enumerate().filter(|(_, value)| **value > 0.0) {
+                for b in &beyond {
+                    let Some(shared) = edge(incidence, a, *b) else { continue };
+                    let point = normalised(vertices[a] * -signed[*b] + vertices[*b] * *inside);
                     crossings.push((point, shared | bit));
                 }
             }
@@ -152,15 +160,15 @@ impl Polytope {
         let mut kept = 0;
         for (index, value) in signed.iter().enumerate() {
             if *value >= 0.0 {
-                self.vertices[kept] = self.vertices[index];
-                self.incidence[kept] = self.incidence[index];
+                vertices[kept] = vertices[index];
+                incidence[kept] = incidence[index];
                 kept += 1;
             }
         }
         self.vertices.truncate(kept);
         self.incidence.truncate(kept);
         for (point, planes) in crossings {
-            match self.vertices.iter().position(|vertex| coincide(*vertex, point, size)) {
+            match same(&self.vertices, point, size) {
                 Some(same) => self.incidence[same] |= planes,
                 None => {
                     self.vertices.push(point);
@@ -170,24 +178,14 @@ impl Polytope {
         }
     }
 
-    /// The planes that two vertices share, if an edge joins them: no third vertex lies on all of them (the double
-    /// description method's test, which also holds where planes repeat or the polytope is flat).
-    fn edge(&self, a: usize, b: usize) -> Option<u64> {
-        let shared = self.incidence[a] & self.incidence[b];
-        if shared.count_ones() < 2 {
-            return None;
-        }
-        let between = |(c, planes): (usize, &u64)| c != a && c != b && planes & shared == shared;
-        (!self.incidence.iter().enumerate().any(between)).then_some(shared)
-    }
-
     /// The polytope cut by several half-spaces.
     pub fn cut_by(&self, planes: &[DVec4]) -> Self {
-        let mut cut = self.copied();
-        for plane in planes {
-            cut.cut(*plane);
-        }
-        cut
+        self.body().cut_by(planes)
+    }
+
+    /// The polytope where it lies.
+    pub fn body(&self) -> Body<'_> {
+        Body { vertices: &self.vertices, planes: &self.planes, incidence: &self.incidence }
     }
 
     /// A copy: numbers are copied as a whole.
@@ -218,6 +216,49 @@ impl Polytope {
     /// Whether a homogeneous point lies inside, borders included.
     pub fn contains(&self, point: DVec4) -> bool {
         self.planes.iter().all(|plane| plane.dot(point) >= 0.0)
+    }
+
+    /// [`Body::range`].
+    pub fn range(&self, row: DVec4) -> (f64, f64) {
+        self.body().range(row)
+    }
+
+    /// [`Body::quotient_range`].
+    pub fn quotient_range(&self, row: DVec4, unit: DVec4) -> (f64, f64) {
+        self.body().quotient_range(row, unit)
+    }
+
+    /// [`Body::ratio_range`].
+    pub fn ratio_range(&self, row: DVec4, w: DVec4) -> (f64, f64) {
+        self.body().ratio_range(row, w)
+    }
+}
+
+impl Body<'_> {
+    /// Whether nothing is left that could have an area in the light's view.
+    pub fn is_empty(&self) -> bool {
+        self.vertices.len() < 3
+    }
+
+    /// The polytope cut by several half-spaces.
+    pub fn cut_by(&self, planes: &[DVec4]) -> Polytope {
+        let mut cut = Polytope::empty();
+        self.cut_into(planes, &mut cut);
+        cut
+    }
+
+    /// [`Self::cut_by`], in the place of another polytope.
+    pub(crate) fn cut_into(&self, planes: &[DVec4], cut: &mut Polytope) {
+        cut.vertices.clear();
+        cut.vertices.extend_from_slice(self.vertices);
+        cut.planes.clear();
+        cut.planes.extend_from_slice(self.planes);
+        cut.incidence.clear();
+        cut.incidence.extend_from_slice(self.incidence);
+        cut.is_frustum = false;
+        for plane in planes {
+            cut.cut(*plane);
+        }
     }
 
     /// Smallest and largest value of row.X / X.w over the vertices; infinite where a vertex at infinity makes it so.
@@ -252,6 +293,22 @@ impl Polytope {
     }
 }
 
+/// The planes that two vertices share, if an edge joins them, given the planes that each vertex lies on: no third vertex
+/// lies on all of them (the double description method's test, which also holds where planes repeat or the polytope is
+/// flat).
+fn edge(incidence: &[u64], a: usize, b: usize) -> Option<u64> {
+    let shared = incidence[a] & incidence[b];
+    if shared & shared.wrapping_sub(1) == 0 {
+        // No plane or one.
+        return None;
+    }
+    let mut holders = 0;
+    for planes in incidence {
+        holders += u32::from(planes & shared == shared);
+    }
+    (holders == 2).then_some(shared)
+}
+
 /// Whether a row vanishes on a vertex, beside the sizes of its terms; at any scale of the world.
 pub(crate) fn is_negligible(value: f64, row: DVec4, vertex: DVec4) -> bool {
     // Sums of components are no less than lengths and cost no roots.
@@ -282,6 +339,19 @@ pub(crate) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |range, value| (range.0.min(value), range.1.max(value)))
 }
 
+/// Size within whose rounding points count as one: a metre, or the whole where that is smaller.
+fn finite_size(vertices: &[DVec4]) -> f64 {
+    let finite = vertices.iter().filter(|vertex| vertex.w > 0.0);
+    finite.map(|vertex| vertex.truncate().abs().max_element()).fold(0.0, f64::max).min(1.0)
+}
+
+/// Which of some normalised points is the same as another up to rounding.
+fn same(points: &[DVec4], point: DVec4, size: f64) -> Option<usize> {
+    // Most are far apart along the first axis.
+    let near = ON_PLANE * (2.0 * point.truncate().abs().max_element()).max(size);
+    points.iter().position(|known| (known.x - point.x).abs() <= near && coincide(*known, point, size))
+}
+
 /// Whether two normalised points are the same up to rounding.
 fn coincide(one: DVec4, two: DVec4, size: f64) -> bool {
     let largest = one.truncate().abs().max_element().max(size);
@@ -290,8 +360,9 @@ fn coincide(one: DVec4, two: DVec4, size: f64) -> bool {
 
 /// The same homogeneous point with w = 1, or with unit length at infinity.
 fn normalised(point: DVec4) -> DVec4 {
-    if point.w > 0.0 && (point / point.w).is_finite() {
-        point / point.w
+    let scaled = point.truncate() * (1.0 / point.w);
+    if point.w > 0.0 && scaled.is_finite() {
+        scaled.extend(1.0)
     } else {
         (point.truncate() / point.truncate().abs().max_element()).normalize().extend(0.0)
     }

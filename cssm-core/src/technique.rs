@@ -3,6 +3,7 @@
 pub mod bounding_box;
 pub mod camera_space;
 mod columns;
+mod draft;
 pub mod generalized_linear;
 pub mod light_space_perspective;
 pub mod logarithmic_perspective;
@@ -16,17 +17,19 @@ pub mod trapezoidal;
 mod warp;
 pub mod warp_family;
 
+pub(crate) use self::draft::NO_FACET;
+pub use self::draft::{Draft, Drafts};
 pub(crate) use self::standard::light_plane_axes;
 
 use glam::{DVec2, DVec3, DVec4};
 use smallvec::{SmallVec, smallvec};
 
 use crate::case::{CaseError, LightCase, LightKind};
-use crate::facet::{Cell, FacetShape, Selection};
+use crate::facet::{Cell, FacetShape};
 use crate::fit::Sighted;
 use crate::light::LightPosition;
-use crate::plan::{DominantFacet, PlanError};
-use crate::receivers::{Polytope, extremes};
+use crate::plan::PlanError;
+use crate::receivers::{BodyPlace, Polytope, extremes};
 use crate::remap::Curve;
 use crate::schema::{Choice, Word};
 use crate::view::View;
@@ -68,8 +71,8 @@ pub struct ConfigurationSpec {
     pub serves: fn(LightPosition) -> bool,
     /// Facet shape of a case that declares it.
     pub shape: fn(&LightCase, &Word) -> FacetShape,
-    /// Its facets in a situation, in one form or several to choose from.
-    pub draft: fn(&Situation<'_>, &Word) -> Result<Vec<Draft>, PlanError>,
+    /// Adds its facets in a situation, in one form or several to choose from.
+    pub draft: fn(&Situation<'_>, &Word, &mut Drafts) -> Result<(), PlanError>,
 }
 
 /// Every technique: the one place outside its own file that names it.
@@ -147,9 +150,9 @@ impl FacetDraft {
         self.cells.is_empty()
     }
 
-    /// A facet of one cell whose rows are not bent.
-    pub fn straight(cell: Cell, rows: [DVec4; 3], own: (Sides, Polytope), region: Region) -> Self {
-        let ([x, y, w], (select, receivers)) = (rows, own);
+    /// A facet of one cell whose rows are not bent; its receivers are told when it is added to a draft.
+    pub fn straight(cell: Cell, [x, y, w]: [DVec4; 3], select: Sides, region: Region) -> Self {
+        let receivers = BodyPlace::default();
         Self { cells: smallvec![cell], x, y, curve: Curve::Straight, w, select, receivers, region }
     }
 }
@@ -226,7 +229,7 @@ impl Situation<'_> {
 }
 
 /// Half-spaces that hold some points in a facet's x/w and y/w; each contains the light.
-fn enclosing(rows: &[DVec4; 3], points: &[DVec4]) -> Vec<DVec4> {
+fn enclosing(rows: &[DVec4; 3], points: &[DVec4]) -> Sides {
     let [x, y, w] = *rows;
     let limits = |row: DVec4| {
         let ratios = points.iter().filter_map(|point| {
@@ -236,8 +239,8 @@ fn enclosing(rows: &[DVec4; 3], points: &[DVec4]) -> Vec<DVec4> {
         let (low, high) = extremes(ratios);
         [row - w * low, w * high - row]
     };
-    let sides: Vec<DVec4> = [x, y].into_iter().flat_map(limits).collect();
-    if sides.iter().all(|side| side.is_finite()) { sides } else { Vec::new() }
+    let sides: Sides = [x, y].into_iter().flat_map(limits).collect();
+    if sides.iter().all(|side| side.is_finite()) { sides } else { Sides::new() }
 }
 
 /// Cone of a spot light, in camera space.
@@ -247,23 +250,6 @@ pub struct Cone {
     pub direction: DVec3,
     /// Angle between axis and edge, radians.
     pub half_angle_radians: f64,
-}
-
-/// What a technique answers: the walk and the facets, before tiles, depth rows and windows are found.
-#[derive(Debug)]
-pub struct Draft {
-    /// Chosen configuration.
-    pub configuration: &'static str,
-    /// Which of the configuration's forms this is; empty where it has one.
-    pub form: &'static str,
-    /// Whether every receiver has a facet; if not, nothing is promised of the rest.
-    pub complete: bool,
-    /// How far the technique gives way to another near a situation that it has no answer for.
-    pub fallback: Option<Fallback>,
-    /// The walk from a receiver to its facet.
-    pub selection: Selection,
-    /// The facets.
-    pub facets: Vec<FacetDraft>,
 }
 
 /// How far a technique gives way near a situation that it has no answer for; it does so continuously, so that nothing pops.
@@ -281,31 +267,6 @@ impl Fallback {
     /// A fallback, if there is anything of it.
     pub(crate) fn of(to: &'static str, why: &'static str, share: f64) -> Option<Self> {
         (share > 0.0).then_some(Self { to, why, share })
-    }
-}
-
-impl Draft {
-    /// The draft with a facet for receivers near a dominant plane.
-    pub(crate) fn with_dominant(mut self, dominant: Option<&DominantFacet>) -> Self {
-        self.selection.dominant = dominant.map(|dominant| dominant.rows);
-        self.facets.extend(dominant.map(|dominant| dominant.facet.clone()));
-        self
-    }
-
-    /// The facet of each cell of the walk.
-    pub(crate) fn owners(&self) -> SmallVec<[Option<usize>; 40]> {
-        let Selection { sectors, bands, .. } = self.selection;
-        let mut owners = SmallVec::from_elem(None, self.selection.dominant_cell() as usize + 1);
-        for (index, facet) in self.facets.iter().enumerate() {
-            if facet.is_dominant() {
-                owners[self.selection.dominant_cell() as usize] = Some(index);
-            }
-            for cell in &facet.cells {
-                let owner = owners.get_mut(cell.index(sectors, bands) as usize);
-                owner.into_iter().for_each(|owner| *owner = Some(index));
-            }
-        }
-        owners
     }
 }
 
@@ -327,8 +288,8 @@ pub struct FacetDraft {
     pub w: DVec4,
     /// Half-spaces of its own receivers.
     pub select: Sides,
-    /// Its own receivers.
-    pub receivers: Polytope,
+    /// Its own receivers, in the draft that it belongs to.
+    pub receivers: BodyPlace,
     /// Where it lies in the map.
     pub region: Region,
 }

@@ -2,9 +2,9 @@
 //! held plan is brought to the next frame, asked and judged without any.
 
 use allocation_counter::measure;
-use cssm_core::case::LightKind;
+use cssm_core::case::{LightKind, Stretch};
 use cssm_core::glam::{DMat3, DVec3};
-use cssm_core::plan::{PlanRequest, ViewMargin};
+use cssm_core::plan::{PlanRequest, Planner, ShadowPlan, ViewMargin};
 use cssm_core::schema::{Value, Word};
 use cssm_core::{Light, LightCase, SceneBounds, View, plan};
 
@@ -16,9 +16,9 @@ fn cases() -> Vec<(u64, LightCase)> {
     let splits = Word::with("parallel_split", [("splits", Value::Count(4))]);
     let one_plane = LightCase::builder("OnePlane").configurations(&["one_plane"]);
     vec![
-        (20, bounded("Standard", Word::plain("standard")).build().unwrap()),
-        (45, bounded("Splits", splits).build().unwrap()),
-        (25, one_plane.distribution(Word::plain("perspective")).build().unwrap()),
+        (14, bounded("Standard", Word::plain("standard")).build().unwrap()),
+        (33, bounded("Splits", splits).build().unwrap()),
+        (14, one_plane.distribution(Word::plain("perspective")).build().unwrap()),
         (125, LightCase::builder("Sun").bands(8, 1e5).build().unwrap()),
         (220, LightCase::builder("Lamp").light(LightKind::Omni).build().unwrap()),
     ]
@@ -32,6 +32,10 @@ fn view() -> View {
 fn light(case: &LightCase) -> Light {
     match case.light {
         LightKind::Omni => Light::omni(DVec3::new(2.0, 4.0, -9.0), 30.0).unwrap(),
+        LightKind::Spot => {
+            let (place, way) = (DVec3::new(2.0, 5.0, -9.0), DVec3::new(0.1, -1.0, 0.05));
+            Light::spot(place, way, 0.6, 20.0).unwrap()
+        }
         _ => Light::directional_travelling(DVec3::new(-0.4, -0.8, 0.3)).unwrap(),
     }
 }
@@ -81,5 +85,48 @@ fn a_held_plan_asks_for_no_memory() {
         // A copy of it does, and is seen to.
         let info = measure(|| drop(held.rebased(&view())));
         assert!(info.count_total > held.facets.len() as u64, "{}", case.name);
+    }
+}
+
+const EXACT: Stretch = Stretch::Exact { bound_texels: 0.25 };
+
+/// A walk of the camera: it turns about and moves, so that facets come and go.
+fn walked(frame: u32) -> View {
+    let (turn, step) = (0.11 * f64::from(frame), 0.4 * f64::from(frame));
+    let rotation = DMat3::from_rotation_x(0.3 * (2.0 * turn).sin()) * DMat3::from_rotation_y(turn);
+    View {
+        eye_world: view().eye_world + DVec3::new(step.sin(), 0.2 * turn.sin(), -0.1 * step),
+        camera_from_world: rotation * view().camera_from_world,
+        ..view()
+    }
+}
+
+#[test]
+fn a_planner_asks_for_no_memory_once_it_has_some() {
+    let mut all = cases();
+    let planes = ["one_plane", "four_plane", "face_columns"];
+    all.push((0, LightCase::builder("Chosen").configurations(&planes).bands(8, 1e5).build().unwrap()));
+    all.push((
+        0,
+        LightCase::builder("Folds").distribution(Word::plain("logarithmic")).stretch(EXACT).build().unwrap(),
+    ));
+    all.push((0, LightCase::builder("Beam").light(LightKind::Spot).build().unwrap()));
+    for (_, case) in all {
+        let light = light(&case);
+        let (mut planner, mut plan) = (Planner::new(), ShadowPlan::empty());
+        let mut facets = Vec::new();
+        for frame in 0..100 {
+            let view = walked(frame);
+            let request = PlanRequest::new(&case, &view, &light, SceneBounds::default());
+            let mut result = Ok(());
+            let info = measure(|| result = planner.plan(&request, &mut plan));
+            result.unwrap();
+            assert!(frame < 2 || info.count_total == 0, "{} {frame}: {}", case.name, info.count_total);
+            // It is the plan that anyone makes.
+            assert_eq!(plan, request.plan().unwrap(), "{} {frame}", case.name);
+            facets.push(plan.facets.len());
+        }
+        facets.dedup();
+        println!("{:<10} {facets:?}", case.name);
     }
 }

@@ -42,9 +42,9 @@ fn border_rows(selection: &Selection) -> Vec<DVec4> {
     let mut rows: Vec<DVec4> = selection.borders.iter().copied().filter(turned).collect();
     rows.extend(selection.split);
     rows.extend(selection.dominant.iter().flatten().flat_map(|row| [*row - DVec4::W, *row + DVec4::W]));
-    for (sector, (row, limits)) in selection.distances.iter().zip(&selection.thresholds).enumerate() {
+    for (sector, row) in selection.distances.iter().enumerate() {
         let unit = selection.units.get(sector).copied().unwrap_or(DVec4::W);
-        let limits = limits.iter().filter(|limit| **limit < 1e12);
+        let limits = selection.limits(sector).iter().filter(|limit| **limit < 1e12);
         rows.extend(limits.map(|limit| *row - unit * *limit));
     }
     rows.retain(turned);
@@ -83,7 +83,7 @@ fn facet_in_f32(selection: &Selection, point: DVec3) -> u32 {
     let band = selection.distances.get(sector).map_or(0, |row| {
         let unit = selection.units.get(sector).map_or(1.0, &dot);
         let reached = |limit: &&f64| dot(row) >= **limit as f32 * unit;
-        selection.thresholds[sector].iter().filter(reached).count()
+        selection.limits(sector).iter().filter(reached).count()
     });
     sector as u32 * selection.bands + band as u32
 }

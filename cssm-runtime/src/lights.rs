@@ -123,6 +123,7 @@ struct ServedLight {
 /// Memory that is kept from frame to frame.
 #[derive(Debug, Default)]
 struct Scratch {
+    planning: hold::Planning,
     commands: CommandScratch,
     statistics: FrameStatistics,
     /// What the device is to cull in a frame, for all lights.

@@ -30,11 +30,11 @@ pub(crate) fn check_plan(table: &CaseTable, plan: &ShadowPlan, view: &View) -> R
     let rows = |count: usize, used: bool| count as u32 == if used { table.halves * table.sectors } else { 0 };
     if !rows(selection.borders.len(), table.sectors > 1)
         || !rows(selection.distances.len(), table.bands > 1)
-        || !rows(selection.thresholds.len(), table.bands > 1)
         || !rows(selection.units.len(), table.scales_thresholds)
         || selection.split.is_some() != (table.halves > 1)
         || selection.dominant.is_some() != table.dominant
-        || selection.thresholds.iter().any(|limits| limits.len() as u32 != table.bands - 1)
+        || selection.bands != table.bands
+        || selection.thresholds.len() as u32 != selection.distances.len() as u32 * (table.bands - 1)
     {
         return foreign("its selection has another shape");
     }

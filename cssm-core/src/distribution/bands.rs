@@ -1,7 +1,9 @@
 //! Bands: the logarithm of distance in equal steps, each step affine in 1 / (distance + push-back). Straight lines
 //! stay straight, so ordinary rasterisation is exact; the last band reaches to infinity where the view does.
 
-use super::{DistanceRange, DistributionSpec, Piece, RemapKind};
+use smallvec::SmallVec;
+
+use super::{DistanceRange, DistributionSpec, Piece, Pieces, RemapKind};
 use crate::remap::Curve;
 use crate::schema::{Arguments, Choice, Default, Field, Kind, Unit};
 
@@ -49,7 +51,7 @@ pub(super) fn horizon(arguments: &Arguments, start: f64) -> f64 {
     arguments.number(HORIZON.name).unwrap_or(DEFAULT_HORIZON_METRES).max(2.0 * start)
 }
 
-fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
+fn split(arguments: &Arguments, range: &DistanceRange) -> Pieces {
     let count = count(arguments);
     let core = range.core_metres;
 
@@ -58,10 +60,16 @@ fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
     let farthest = range.farthest_metres;
     let end = if farthest.is_finite() { farthest + core } else { horizon(arguments, start) };
     let ratio = libm::pow(end / start, 1.0 / f64::from(count));
-    let end_of = |index: u32| match range.seen {
-        Some(seen) => seen.mixed(f64::from(index) / f64::from(count), start, end),
-        None => start * libm::pow(ratio, f64::from(index)),
-    };
+    let mut power = start / ratio;
+    let ends = (0..=count).map(|index| {
+        power *= ratio;
+        match range.seen {
+            Some(seen) => seen.mixed(f64::from(index) / f64::from(count), start, end),
+            None => power,
+        }
+    });
+    let ends: SmallVec<[f64; 17]> = ends.collect();
+    let end_of = |index: u32| ends[index as usize];
     let limit = |index: u32| match index {
         0 => range.nearest_metres,
         index if index == count => farthest,

@@ -1,7 +1,7 @@
 //! Folds: a long narrow column cut into pieces of equal rows, which lie side by side in a regular map. Each piece is as wide
 //! as its own receivers.
 
-use super::Piece;
+use super::{Piece, Pieces};
 use crate::remap::Curve;
 use crate::schema::{Arguments, Default, Field, Kind};
 
@@ -24,7 +24,7 @@ pub(super) fn count(arguments: &Arguments) -> u32 {
 }
 
 /// A whole column in so many pieces, whose rows run with a curve of 1 / (distance + offset).
-pub(super) fn folded(whole: Piece, rows: Curve, offset_metres: f64, count: u32) -> Vec<Piece> {
+pub(super) fn folded(whole: Piece, rows: Curve, offset_metres: f64, count: u32) -> Pieces {
     let value = |distance: f64| rows.value(1.0 / (distance + offset_metres));
     let (first, last) = (value(whole.nearest_metres), value(whole.farthest_metres));
     let limit = |index: u32| match index {

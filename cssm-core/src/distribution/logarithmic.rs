@@ -2,7 +2,7 @@
 //! does that; rows are bent.
 
 use super::bands::{HORIZON, horizon};
-use super::{DistanceRange, DistributionSpec, Piece, RemapKind, folds};
+use super::{DistanceRange, DistributionSpec, Piece, Pieces, RemapKind, folds};
 use crate::remap::Curve;
 use crate::schema::{Arguments, Choice};
 
@@ -18,7 +18,7 @@ pub(super) const SPEC: DistributionSpec = DistributionSpec {
     split,
 };
 
-fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
+fn split(arguments: &Arguments, range: &DistanceRange) -> Pieces {
     folded(&logarithmic_piece(arguments, range), folds::count(arguments))
 }
 
@@ -39,6 +39,6 @@ pub(super) fn logarithmic_piece(arguments: &Arguments, range: &DistanceRange) ->
 }
 
 /// Its pieces of equal rows.
-pub(super) fn folded(whole: &Piece, count: u32) -> Vec<Piece> {
+pub(super) fn folded(whole: &Piece, count: u32) -> Pieces {
     folds::folded(*whole, whole.curve, whole.push_back_metres, count)
 }

@@ -4,7 +4,7 @@
 //! Straight, the whole map is seen from there, which also narrows it towards the eye. Bent, only the rows are (section
 //! 4: stretching): what lies across keeps the view's own width, and no texel is wasted.
 
-use super::{DistanceRange, DistributionSpec, Piece, RemapKind, folds};
+use super::{DistanceRange, DistributionSpec, Piece, Pieces, RemapKind, folds};
 use crate::focus;
 use crate::remap::Curve;
 use crate::schema::{Arguments, Choice, Default, Field, Kind, Unit};
@@ -31,7 +31,7 @@ pub(super) const SHARE: Field = Field {
 /// Push-back of bent rows in farthest distances at most: what is uniform to f32.
 const FARTHEST_PUSH_BACK: f64 = 10.0;
 
-fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
+fn split(arguments: &Arguments, range: &DistanceRange) -> Pieces {
     let focus = range.focus_metres(arguments);
     let whole = perspective_piece(focus, share(arguments), range);
     let count = folds::count(arguments);

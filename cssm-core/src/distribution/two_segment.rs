@@ -6,7 +6,7 @@
 use super::bands::HORIZON;
 use super::logarithmic::{folded, logarithmic_piece};
 use super::perspective::{SHARE, share};
-use super::{DistanceRange, DistributionSpec, Piece, RemapKind, folds};
+use super::{DistanceRange, DistributionSpec, Piece, Pieces, RemapKind, folds};
 use crate::focus;
 use crate::schema::{Arguments, Choice};
 
@@ -27,7 +27,7 @@ const SMALLEST_PART: f64 = 0.01;
 /// Largest ratio of densities on either side of the focus: beyond it tiles would go to receivers of no extent.
 const LARGEST_RATIO: f64 = 64.0;
 
-fn split(arguments: &Arguments, range: &DistanceRange) -> Vec<Piece> {
+fn split(arguments: &Arguments, range: &DistanceRange) -> Pieces {
     let whole = logarithmic_piece(arguments, range);
     let count = folds::count(arguments).max(2);
     let core = range.core_metres;

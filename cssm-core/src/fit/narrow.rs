@@ -6,7 +6,7 @@ use super::{Cut, CutBounds, DepthHistogram, Seen, sweep};
 use crate::facet::FacetRows;
 use crate::plan::{BoundingBox, PlanError};
 use crate::receivers::{Polytope, extremes, is_negligible};
-use crate::technique::{Draft, FacetDraft, Situation};
+use crate::technique::{Draft, FacetDraft, Sides, Situation};
 use crate::view::View;
 
 /// How far volumes are moved out, in distances from the eye: single precision in whatever made them.
@@ -146,15 +146,25 @@ pub(crate) fn narrowed_range(
     (low <= high).then_some((low, high))
 }
 
-/// A draft whose facets hold what is seen and no more; facets that nothing seen lies in are gone.
-pub(crate) fn narrowed(mut draft: Draft, situation: &Situation<'_>) -> Draft {
+/// Narrows a draft's facets to what is seen; facets that nothing seen lies in are gone.
+pub(crate) fn narrow(draft: &mut Draft, situation: &Situation<'_>) {
     if let Some(parts) = &situation.sighted.parts {
-        draft.facets = draft.facets.into_iter().filter_map(|facet| narrowed_facet(facet, parts)).collect();
+        let Draft { facets, bodies, .. } = draft;
+        facets.retain_mut(|facet| {
+            let sides = window(facet, parts);
+            if let Some(sides) = &sides
+                && !sides.is_empty()
+            {
+                let receivers = bodies.get(facet.receivers).cut_by(sides);
+                facet.receivers = bodies.add(receivers.body());
+            }
+            sides.is_some()
+        });
     }
-    draft
 }
 
-fn narrowed_facet(mut facet: FacetDraft, parts: &[Polytope]) -> Option<FacetDraft> {
+/// Half-spaces around what is seen of a facet; `None` where there is nothing.
+fn window(facet: &FacetDraft, parts: &[Polytope]) -> Option<Sides> {
     let rows = FacetRows { x: facet.x, y: facet.y, z: facet.w, w: facet.w, remap: crate::remap::Remap::NONE };
     let mut window = [(f64::INFINITY, f64::NEG_INFINITY); 2];
     let mut along_light = false;
@@ -173,15 +183,12 @@ fn narrowed_facet(mut facet: FacetDraft, parts: &[Polytope]) -> Option<FacetDraf
     }
     if window[0].0 > window[0].1 {
         // Vertices along the light alone have no place in the window; keep what holds them.
-        return along_light.then_some(facet);
+        return along_light.then(Sides::new);
     }
-    let mut sides = Vec::with_capacity(4);
+    let mut sides = Sides::new();
     for ((low, high), row) in window.into_iter().zip([rows.x, rows.y]) {
         let margin = WINDOW_MARGIN * (high - low);
         sides.extend([row - rows.w * (low - margin), rows.w * (high + margin) - row]);
     }
-    if sides.iter().all(|side| side.is_finite()) {
-        facet.receivers = facet.receivers.cut_by(&sides);
-    }
-    Some(facet)
+    Some(if sides.iter().all(|side| side.is_finite()) { sides } else { Sides::new() })
 }

@@ -1,17 +1,21 @@
 //! Tiles of declared sizes: rows of falling height.
 
+use smallvec::SmallVec;
+
 use super::MapArea;
+use super::strips::Few;
 use crate::facet::Tile;
 use crate::plan::PlanError;
 
-pub(super) fn place(sizes: &[(u32, u32)], area: &MapArea) -> Result<Vec<Tile>, PlanError> {
-    let mut order: Vec<usize> = (0..sizes.len()).collect();
-    order.sort_by_key(|index| {
+pub(super) fn place(sizes: &[(u32, u32)], area: &MapArea, tiles: &mut Few<Tile>) -> Result<(), PlanError> {
+    let mut order: SmallVec<[usize; 16]> = (0..sizes.len()).collect();
+    order.sort_unstable_by_key(|index| {
         (std::cmp::Reverse(sizes[*index].1), std::cmp::Reverse(sizes[*index].0), *index)
     });
 
     // Fill a row from left to right; open the next below its tallest tile.
-    let mut tiles = vec![Tile { x: 0, y: 0, width: 0, height: 0, gutter: area.gutter }; sizes.len()];
+    tiles.clear();
+    tiles.resize(sizes.len(), Tile { x: 0, y: 0, width: 0, height: 0, gutter: area.gutter });
     let (mut x, mut y, mut row_height) = (0, 0, 0);
     for index in order {
         let (width, height) = sizes[index];
@@ -26,5 +30,5 @@ pub(super) fn place(sizes: &[(u32, u32)], area: &MapArea) -> Result<Vec<Tile>, P
         x += width;
         row_height = row_height.max(height);
     }
-    Ok(tiles)
+    Ok(())
 }

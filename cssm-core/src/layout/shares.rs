@@ -7,10 +7,12 @@ use crate::plan::PlanError;
 use crate::technique::TileRequest;
 use smallvec::{SmallVec, smallvec};
 
-pub(super) fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Tile>, PlanError> {
+pub(super) fn place(demands: &[TileDemand], area: &MapArea, tiles: &mut Few<Tile>) -> Result<(), PlanError> {
     if let ([_], true) = (demands, area.width.min(area.height) >= area.smallest_side()) {
         let MapArea { width, height, gutter, .. } = *area;
-        return Ok(vec![Tile { x: 0, y: 0, width, height, gutter }]);
+        tiles.clear();
+        tiles.push(Tile { x: 0, y: 0, width, height, gutter });
+        return Ok(());
     }
     let total = f64::from(area.width) * f64::from(area.height);
     let areas: Few<f64> =
@@ -20,7 +22,7 @@ pub(super) fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Tile>,
 
     // Try upright and lying strips and keep the better.
     let orientations = if area.strips.is_some() { &[true][..] } else { &[true, false][..] };
-    let mut best: Option<(f64, Vec<Tile>)> = None;
+    let mut best: Option<(f64, Few<Tile>)> = None;
     for upright in orientations {
         let along = f64::from(if *upright { area.height } else { area.width });
         let wishes: Few<Wish> = areas.iter().map(|area| Wish { area: *area, across: area.sqrt() }).collect();
@@ -31,13 +33,16 @@ pub(super) fn place(demands: &[TileDemand], area: &MapArea) -> Result<Vec<Tile>,
                 tiles: strip.iter().map(|index| (*index, areas[*index])).collect(),
             })
             .collect();
-        let Some(tiles) = strips::tiles(&strips, demands.len(), area, *upright) else { continue };
+        let Some(tiles) = strips::tiles(strips.iter(), demands.len(), area, *upright) else { continue };
         let misfit = misfit(&tiles);
         if best.as_ref().is_none_or(|(least, _)| misfit < *least) {
             best = Some((misfit, tiles));
         }
     }
-    best.map(|(_, tiles)| tiles).ok_or_else(|| area.too_small(demands.len()))
+    let (_, best) = best.ok_or_else(|| area.too_small(demands.len()))?;
+    tiles.clear();
+    tiles.extend(best);
+    Ok(())
 }
 
 /// Share of the map that a facet asks for; an even one where it does not say.

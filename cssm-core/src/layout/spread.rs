@@ -7,8 +7,6 @@
 
 use std::array::from_fn;
 
-use smallvec::SmallVec;
-
 use super::Gram;
 use crate::plan::beams::{BEAMS, Beams};
 
@@ -37,9 +35,6 @@ const SHORTEST: f64 = 1e-6;
 /// Largest values that are kept sorted while values pass by; more are selected.
 const FEW: usize = 8;
 
-/// Scratch for values that are selected.
-type Values = SmallVec<[f64; 64]>;
-
 /// What the tile of some samples must span, upright or turned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
@@ -59,6 +54,7 @@ struct Extent {
 }
 
 /// Least lengths of a tile, upright or turned.
+#[derive(Debug)]
 pub(super) struct Curve {
     /// Least length at each width, upright or turned, whichever is shorter.
     pub(super) lengths: [f64; WIDTHS],
@@ -79,21 +75,18 @@ impl Spread {
         let across = tail.quantile(&beams.grams.map(|gram| gram.xx));
         let along = tail.quantile(&beams.grams.map(|gram| gram.yy));
 
-        // How both trade, somewhat above the least width.
-        let extent = |across: f64, along: f64, of: fn(&Gram) -> (f64, f64)| {
-            let (square, longest) = (TRADED * across, (1.0 + MOST_TRADED) * along);
-            let least = |gram: &Gram, place: f64| {
-                let (across, along) = of(gram);
-                let (free, shear) = (square - across * place, gram.xy * place);
-                if free > 0.0 { (along * place + shear * shear / free).min(longest) } else { longest }
-            };
-            let low = from_fn(|i| least(&beams.grams[i], low[i]));
-            let high = from_fn(|i| least(&beams.grams[i], high[i]));
-            let length = Tail::of(&beams.weight, low, high).quantile(&[1.0; BEAMS]);
-            Extent { across, along, shear: (length - along).max(0.0) * (square - across) }
+        // How both trade, somewhat above the least width; one sample trades turned as it does upright.
+        let (square, longest) = (TRADED * across, (1.0 + MOST_TRADED) * along);
+        let least = |gram: &Gram, place: f64| {
+            let (free, shear) = (square - gram.xx * place, gram.xy * place);
+            if free > 0.0 { (gram.yy * place + shear * shear / free).min(longest) } else { longest }
         };
-        let upright = extent(across, along, |gram| (gram.xx, gram.yy));
-        let lying = if may_turn { extent(along, across, |gram| (gram.yy, gram.xx)) } else { Extent::NONE };
+        let low = from_fn(|i| least(&beams.grams[i], low[i]));
+        let high = from_fn(|i| least(&beams.grams[i], high[i]));
+        let length = Tail::of(&beams.weight, low, high).quantile(&[1.0; BEAMS]);
+        let shear = (length - along).max(0.0) * (square - across);
+        let upright = Extent { across, along, shear };
+        let lying = if may_turn { Extent { across: along, along: across, shear } } else { Extent::NONE };
         Self { upright, lying }
     }
 
@@ -103,10 +96,9 @@ impl Spread {
     }
 
     /// What some samples span.
-    pub(crate) fn of(grams: &[Gram], may_turn: bool) -> Self {
-        let mut values = Values::new();
-        let across = quantile(grams.iter().map(|gram| gram.xx), &mut values);
-        let along = quantile(grams.iter().map(|gram| gram.yy), &mut values);
+    pub(crate) fn of(grams: &[Gram], may_turn: bool, values: &mut Vec<f64>) -> Self {
+        let across = quantile(grams.iter().map(|gram| gram.xx), values);
+        let along = quantile(grams.iter().map(|gram| gram.yy), values);
         let mut extent = |across: f64, along: f64, of: fn(&Gram) -> (f64, f64)| {
             let square = TRADED * across;
             let least = |gram: &Gram| {
@@ -114,7 +106,7 @@ impl Spread {
                 let free = square - across;
                 if free > 0.0 { along + gram.xy * gram.xy / free } else { f64::INFINITY }
             };
-            let length = quantile(grams.iter().map(least), &mut values);
+            let length = quantile(grams.iter().map(least), values);
             // Where many samples are as wide as the tile the length has no bound; what it may grow by has one.
             let rest = (length - along).clamp(0.0, MOST_TRADED * along);
             Extent { across, along, shear: rest * (square - across) }
@@ -136,15 +128,15 @@ impl Spread {
 
     /// Its least lengths.
     pub(super) fn curve(&self, may_turn: bool, widths: &[f64; WIDTHS]) -> Curve {
-        let upright = widths.map(|width| self.upright.length(width));
-        if !may_turn {
-            return Curve { lengths: upright, turned: [false; WIDTHS] };
+        let mut curve = Curve { lengths: [LONGEST; WIDTHS], turned: [false; WIDTHS] };
+        let lengths = curve.lengths.iter_mut().zip(&mut curve.turned);
+        for ((length, turned), width) in lengths.zip(widths) {
+            let upright = self.upright.square(width * width);
+            let lying = if may_turn { self.lying.square(width * width) } else { LONGEST * LONGEST };
+            *turned = lying < upright;
+            *length = if *turned { lying } else { upright }.sqrt();
         }
-        let lying = widths.map(|width| self.lying.length(width));
-        Curve {
-            lengths: std::array::from_fn(|index| upright[index].min(lying[index])),
-            turned: std::array::from_fn(|index| lying[index] < upright[index]),
-        }
+        curve
     }
 }
 
@@ -159,10 +151,11 @@ impl Extent {
         }
     }
 
-    /// Least length at a width.
-    fn length(&self, width: f64) -> f64 {
-        let free = width * width - self.across;
-        if free > 0.0 { (self.along + self.shear / free).sqrt().min(LONGEST) } else { LONGEST }
+    /// Square of the least length at the square of a width.
+    fn square(&self, width: f64) -> f64 {
+        let free = width - self.across;
+        let square = self.along + self.shear / free;
+        if free > 0.0 && square < LONGEST * LONGEST { square } else { LONGEST * LONGEST }
     }
 }
 
@@ -188,7 +181,7 @@ impl<'a> Tail<'a> {
             from_fn(|i| if weight[i] > 0.0 { weight[i] / (high[i] - low[i]) } else { 0.0 });
         let above = (1.0 - SHARE) * weight.iter().sum::<f64>();
         let top = from_fn(|i| high[i] * density[i]);
-        let alone = from_fn(|i| high[i] - above / density[i]);
+        let alone = from_fn(|i| high[i] - (high[i] - low[i]) * (above / weight[i]));
         Self { weight, high, density, top, alone, above }
     }
 
@@ -203,8 +196,9 @@ impl<'a> Tail<'a> {
         let alone = largest(|i| if self.weight[i] > self.above { self.alone[i] * factors[i] } else { 0.0 });
         let mut limits = (alone, most);
         let mut value = if alone > 0.0 { alone } else { FIRST * most };
+        let per_factor = |factor: f64| if factor == 1.0 { 1.0 } else { 1.0 / factor };
         let stretched: [f64; BEAMS] =
-            from_fn(|i| if factors[i] > 0.0 { self.density[i] / factors[i] } else { f64::MAX });
+            from_fn(|i| if factors[i] > 0.0 { self.density[i] * per_factor(factors[i]) } else { f64::MAX });
         for _ in 0..ROUNDS {
             // Sums in lanes, which processors add side by side.
             let (mut above, mut slope) = ([0.0; LANES], [0.0; LANES]);
@@ -251,7 +245,7 @@ pub(super) fn widths(spreads: impl Iterator<Item = (Spread, bool)>) -> [f64; WID
 
 /// The value that a share of the samples does not exceed; harmonic between neighbours, so that infinity is reached
 /// continuously. `list` is scratch.
-fn quantile(values: impl ExactSizeIterator<Item = f64>, list: &mut Values) -> f64 {
+fn quantile(values: impl ExactSizeIterator<Item = f64>, list: &mut Vec<f64>) -> f64 {
     let count = values.len();
     let position = SHARE * count.saturating_sub(1) as f64;
     let (below, part) = (position as usize, position.fract());

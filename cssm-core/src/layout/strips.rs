@@ -19,13 +19,18 @@ pub(super) struct Strip {
 
 /// Whole-texel tiles of strips side by side: across the map's width, or its height unless `upright`. `None` when the
 /// smallest sides do not fit.
-pub(super) fn tiles(strips: &[Strip], count: usize, area: &MapArea, upright: bool) -> Option<Vec<Tile>> {
+pub(super) fn tiles<'a>(
+    strips: impl Iterator<Item = &'a Strip> + Clone,
+    count: usize,
+    area: &MapArea,
+    upright: bool,
+) -> Option<Few<Tile>> {
+    let mut tiles = Few::from_elem(Tile { x: 0, y: 0, width: 0, height: 0, gutter: area.gutter }, count);
     let (across, along) = if upright { (area.width, area.height) } else { (area.height, area.width) };
-    let wishes: Few<f64> = strips.iter().map(|strip| strip.side).collect();
+    let wishes: Few<f64> = strips.clone().map(|strip| strip.side).collect();
     let strip_sides = share(&wishes, across, area.smallest_side())?;
-    let mut tiles = vec![Tile { x: 0, y: 0, width: 0, height: 0, gutter: area.gutter }; count];
     let mut strip_start = 0;
-    for (strip, strip_side) in strips.iter().zip(strip_sides) {
+    for (strip, strip_side) in strips.zip(strip_sides) {
         let wishes: Few<f64> = strip.tiles.iter().map(|(_, side)| *side).collect();
         let sides = share(&wishes, along, area.smallest_side())?;
         let mut start = 0;
@@ -44,20 +49,23 @@ pub(super) fn tiles(strips: &[Strip], count: usize, area: &MapArea, upright: boo
 }
 
 /// Splits `total` into whole parts in proportion to the wishes, none below `smallest`.
-fn share(wishes: &[f64], total: u32, smallest: u32) -> Option<Few<u32>> {
+pub(super) fn share(wishes: &[f64], total: u32, smallest: u32) -> Option<Parts> {
     let free = total.checked_sub(smallest.checked_mul(wishes.len() as u32)?)?;
 
     // Parts below the smallest take it; the others share the rest, until no further part falls below.
-    let mut raised: Few<bool> = SmallVec::from_elem(false, wishes.len());
+    let mut raised: SmallVec<[bool; MOST]> = SmallVec::from_elem(false, wishes.len());
+    let mut count = 0;
     loop {
-        let rest =
-            f64::from(total) - raised.iter().filter(|raised| **raised).count() as f64 * f64::from(smallest);
+        let rest = f64::from(total) - f64::from(count) * f64::from(smallest);
         let sum: f64 = wishes.iter().zip(&raised).filter(|(_, raised)| !**raised).map(|(wish, _)| wish).sum();
-        let low = |(index, wish): (usize, &f64)| {
-            (!raised[index] && *wish / sum * rest < f64::from(smallest)).then_some(index)
-        };
-        let lows: Few<usize> = wishes.iter().enumerate().filter_map(low).collect();
-        if lows.is_empty() || free == 0 {
+        let before = count;
+        if free > 0 {
+            for (wish, raised) in wishes.iter().zip(&mut raised).filter(|(_, raised)| !**raised) {
+                *raised = *wish / sum * rest < f64::from(smallest);
+                count += u32::from(*raised);
+            }
+        }
+        if count == before {
             // Round the running sums, so that the parts add up.
             let (mut exact, mut used) = (0.0, 0_u32);
             let last = wishes.len() - 1;
@@ -70,8 +78,10 @@ fn share(wishes: &[f64], total: u32, smallest: u32) -> Option<Few<u32>> {
             });
             return Some(parts.collect());
         }
-        for index in lows {
-            raised[index] = true;
-        }
     }
 }
+
+/// Parts of a side that need no allocation.
+const MOST: usize = 64;
+/// Parts of a side.
+pub(super) type Parts = SmallVec<[u32; MOST]>;

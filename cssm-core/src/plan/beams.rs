@@ -10,7 +10,7 @@ use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use crate::facet::FacetRows;
 use crate::layout::Gram;
-use crate::receivers::{DEPTH_ROW, Polytope};
+use crate::receivers::{Body, DEPTH_ROW};
 
 /// Rays of a facet.
 pub(crate) const BEAMS: usize = SIDE * SIDE;
@@ -48,7 +48,7 @@ pub(crate) struct Seen<'a> {
     /// Its receivers in x/w and y/w.
     pub(crate) outline: &'a [DVec2],
     /// Its receivers.
-    pub(crate) receivers: &'a Polytope,
+    pub(crate) receivers: Body<'a>,
     /// The light as a homogeneous point.
     pub(crate) light: DVec4,
     /// Pixels of a tangent of 1.
@@ -76,56 +76,67 @@ impl Beams {
             unit: [1.0; BEAMS],
             middle: [DVec3::NEG_Z; BEAMS],
         };
+
+        // Inverse depths of both ends; either may lie at infinity.
+        let start: [f64; BEAMS] = from_fn(|i| depths[0] * x[i] + depths[1] * k[i] + depths[2]);
+        let inverse_depth = |c: &[f64; BEAMS]| -> [f64; BEAMS] {
+            from_fn(|i| if c[i].is_finite() { 1.0 / (start[i] + c[i] * along) } else { 0.0 })
+        };
+        let (one, two) = (inverse_depth(&low), inverse_depth(&high));
+        let squares: [f64; BEAMS] = from_fn(|i| 0.5 * (one[i] * one[i] + two[i] * two[i]));
+
+        // Displacements across the light that change x/w alone and y/w alone are reciprocal to the gradients.
+        let [row_x, row_y, row_w] = [rows.x, rows.y, rows.w].map(DVec4::truncate);
+        let across: [[f64; BEAMS]; 3] = from_fn(|axis| from_fn(|i| row_x[axis] - row_w[axis] * x[i]));
+        let up: [[f64; BEAMS]; 3] =
+            from_fn(|axis| from_fn(|i| (row_y[axis] - row_w[axis] * k[i]) * slope[i]));
+        let dot = |one: &[[f64; BEAMS]; 3], two: &[[f64; BEAMS]; 3]| -> [f64; BEAMS] {
+            from_fn(|i| one[0][i] * two[0][i] + one[1][i] * two[1][i] + one[2][i] * two[2][i])
+        };
+        let normal: [[f64; BEAMS]; 3] = from_fn(|axis| {
+            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+            from_fn(|i| across[next][i] * up[last][i] - across[last][i] * up[next][i])
+        });
         let scale = 4.0 * facet.pixels_per_tangent * facet.pixels_per_tangent;
+        let area_square = dot(&normal, &normal);
+        let factor: [f64; BEAMS] = from_fn(|i| scale / area_square[i]);
+        let (xx, yy, xy) = (dot(&up, &up), dot(&across, &across), dot(&across, &up));
+
         for i in 0..BEAMS {
-            // Inverse depths of both ends; either may lie at infinity.
-            let start = depths[0] * x[i] + depths[1] * k[i] + depths[2];
-            let at = |c: f64| if c.is_finite() { 1.0 / (start + c * along) } else { 0.0 };
-            let (one, two, span) = (at(low[i]), at(high[i]), high[i] - low[i]);
-            let (least, most) = (one.min(two), one.max(two));
+            let (one, two, span) = (one[i], two[i], high[i] - low[i]);
             let part = if span.is_finite() {
                 0.5 * span * (one + two) * one * two
             } else {
+                let most = one.max(two);
                 0.5 * most * most / along.abs()
             };
 
             // The middle by weight.
-            let middle = (0.5 * (least * least + most * most)).sqrt();
+            let middle = squares[i].sqrt();
             let from = if low[i].is_finite() { (low[i], one) } else { (high[i], two) };
             let way = 1.0 / middle - 1.0 / from.1;
             let c = if way.abs() * middle > SHORT { from.0 + way / along } else { 0.5 * (low[i] + high[i]) };
             let point = inverse.x_axis * x[i] + inverse.y_axis * k[i] + inverse.z_axis + light * c;
             let weight = part * area[i] / (point.w * slope[i].abs());
             let usable = span > 0.0 && point.w > 0.0 && weight > 0.0 && weight.is_finite();
-            if !usable {
+            let gram = Gram { xx: xx[i] * factor[i], yy: yy[i] * factor[i], xy: -xy[i] * factor[i] };
+            if !(usable && gram.xx.is_finite() && gram.yy.is_finite()) {
                 continue;
             }
-
-            // Displacements across the light that change x/w alone and y/w alone are reciprocal to the gradients.
-            let w = rows.w.truncate();
-            let gradient_x = rows.x.truncate() - w * x[i];
-            let gradient_y = (rows.y.truncate() - w * k[i]) * slope[i];
-            let factor = scale / gradient_x.cross(gradient_y).length_squared();
-            let gram = Gram {
-                xx: gradient_y.length_squared() * factor,
-                yy: gradient_x.length_squared() * factor,
-                xy: -gradient_x.dot(gradient_y) * factor,
-            };
-            if !(gram.xx.is_finite() && gram.yy.is_finite()) {
-                continue;
-            }
+            let (one, two) = (one * one, two * two);
             beams.grams[i] = gram;
-            (beams.low[i], beams.high[i]) = (least * least, most * most);
+            (beams.low[i], beams.high[i]) = (one.min(two), one.max(two));
             (beams.weight[i], beams.unit[i]) = (weight, point.w);
-            beams.middle[i] = point.truncate() / point.w;
+            beams.middle[i] = point.truncate() * (1.0 / point.w);
         }
         beams
     }
 
-    /// The same after a quarter turn of the facet's clip space.
-    pub(crate) fn turned(mut self) -> Self {
-        self.grams = self.grams.map(|gram| gram.turned());
-        self
+    /// Follows a quarter turn of the facet's clip space.
+    pub(crate) fn turn(&mut self) {
+        for gram in &mut self.grams {
+            *gram = gram.turned();
+        }
     }
 
     /// How many texels the facet's clip space wants at a footprint of one pixel, in the mean.
@@ -186,11 +197,16 @@ fn cut(
     let at_infinity = (facet.light.w > 0.0).then_some(DVec4::W);
     for plane in facet.receivers.planes.iter().copied().chain(at_infinity) {
         let along = plane.dot(facet.light);
-        if along.abs() <= CONTAINS_LIGHT * plane.truncate().length().max(plane.w.abs()) {
+        // Sums of components are no less than lengths and cost no roots.
+        let size = plane.truncate().abs().element_sum().max(plane.w.abs());
+        if along.abs() <= CONTAINS_LIGHT * size
+            && along.abs() <= CONTAINS_LIGHT * plane.truncate().length().max(plane.w.abs())
+        {
             continue;
         }
+        let scale = -1.0 / along;
         let [a, b, c] =
-            [inverse.x_axis, inverse.y_axis, inverse.z_axis].map(|column| -plane.dot(column) / along);
+            [inverse.x_axis, inverse.y_axis, inverse.z_axis].map(|column| plane.dot(column) * scale);
         let limit = |i: usize| a * x[i] + b * k[i] + c;
         if along > 0.0 {
             low = from_fn(|i| if limit(i) > low[i] { limit(i) } else { low[i] });

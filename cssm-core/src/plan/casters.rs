@@ -11,19 +11,26 @@ const SHORTEST_EDGE: f64 = 1e-9;
 /// Filter taps beyond the receivers' silhouette, in texels, when the tile has no gutter.
 const FEWEST_TEXELS: f64 = 1.0;
 
-/// Half-spaces around everything whose shadow can reach receivers, given by their own half-spaces and their outline in
+/// Lists half-spaces around everything whose shadow can reach receivers, given by their own half-spaces and their outline in
 /// x/w and y/w, or the filter taps around them. All rows are in the space of `light`.
-pub(super) fn planes(
+pub(super) fn list_planes(
     rows: &FacetRows,
     tile: &Tile,
     receivers: &[DVec4],
     outline: &[DVec2],
     light: DVec4,
-) -> Vec<DVec4> {
+    planes: &mut Vec<DVec4>,
+) {
     // Below: moving away from the light never enters a half-space that faces it.
-    let mut planes = Vec::with_capacity(receivers.len() + outline.len().max(4) + 1);
-    let below = receivers.iter().map(|plane| *plane / plane.truncate().length());
-    planes.extend(below.filter(|plane| plane.dot(light) > CONTAINS_LIGHT));
+    planes.clear();
+    planes.reserve(receivers.len() + outline.len().max(4) + 1);
+    for plane in receivers {
+        // Most planes between facets contain the light.
+        let (facing, square) = (plane.dot(light), plane.truncate().length_squared());
+        if facing > 0.0 && facing * facing > CONTAINS_LIGHT * CONTAINS_LIGHT * square {
+            planes.push(*plane * (1.0 / square.sqrt()));
+        }
+    }
 
     // Around: the silhouette of the receivers in the light's view, moved out by the gutter.
     let margin = f64::from(tile.gutter).max(FEWEST_TEXELS);
@@ -58,5 +65,4 @@ pub(super) fn planes(
 
     // In front of the facet's w = 0 plane nothing lands in the tile.
     planes.push(rows.w);
-    planes
 }

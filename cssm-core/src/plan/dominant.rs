@@ -7,7 +7,7 @@
 use glam::{DVec3, DVec4};
 use smallvec::{SmallVec, smallvec};
 
-use crate::receivers::DEPTH_ROW;
+use crate::receivers::{BodyPlace, DEPTH_ROW, Polytope};
 use crate::remap::Curve;
 use crate::technique::{FacetDraft, Region, Sides, Situation, TileRequest};
 
@@ -18,6 +18,8 @@ pub(crate) struct DominantFacet {
     pub(crate) rows: [DVec4; 2],
     /// The facet; its cell is named when the walk is known.
     pub(crate) facet: FacetDraft,
+    /// Its receivers.
+    pub(crate) receivers: Polytope,
 }
 
 /// Smallest sine of the angle between light and plane, and between eye and plane, in thicknesses.
@@ -52,10 +54,10 @@ pub(super) fn facet(situation: &Situation<'_>, plane: DVec4) -> Option<DominantF
         curve: Curve::Straight,
         w,
         select,
-        receivers,
+        receivers: BodyPlace::default(),
         region: Region::Tile(TileRequest::Share(declared.share)),
     };
-    (!facet.receivers.is_empty()).then_some(DominantFacet { rows: [plane / thickness, front], facet })
+    (!receivers.is_empty()).then_some(DominantFacet { rows: [plane / thickness, front], facet, receivers })
 }
 
 /// A plane found from visible points and their normals (world axes, points relative to the eye): the one that most points

@@ -1,16 +1,17 @@
 //! The rest of a facet once its tile is known: gutters, depth row, bias figures, caster planes.
 
-use glam::DVec2;
+use glam::{DVec2, DVec4};
 use smallvec::SmallVec;
 
 use super::casters;
-use super::fitted::map_area;
+use super::fitted::{Fitted, map_area};
 use super::region::{self, Inset};
-use super::window::{Sample, Window};
+use super::window::{Frame, Sample};
 use crate::case::{Bias, DepthFormat, Filter, LightCase};
 use crate::depth::{COMPARED_SAMPLES, DepthNeeds, DepthRow, depth_rows};
-use crate::facet::{Facet, FacetRows, Tile};
+use crate::facet::{Facet, FacetRows};
 use crate::plan::{DepthOrder, PlanError};
+use crate::polygon::Places;
 use crate::technique::Situation;
 use crate::view::View;
 
@@ -32,11 +33,9 @@ const NEAR_SHARE_UNORM: f64 = 0.02;
 /// Tangent of the steepest surface that keeps room for a slope bias.
 const STEEPEST_SLOPE: f64 = 20.0;
 
-/// A facet in camera space, but for its depth.
-#[derive(Debug)]
-pub(super) struct Finished {
-    /// The facet; its z row is the w row, and figures of depth are those of one per metre.
-    facet: Facet,
+/// What remains of a facet: its depth.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Finished {
     /// Its depth row under each order.
     depths: [Option<DepthRow>; 2],
     /// Larger texel axis across the light in metres, per w.
@@ -45,27 +44,31 @@ pub(super) struct Finished {
     seen: usize,
 }
 
-/// Everything of a window's facet but the choice of its depth.
+/// Fills in everything of a window's facet but the choice of its depth: camera space, its z row is the w row, and figures of
+/// depth are those of one per metre.
 pub(super) fn finish(
-    window: &Window<'_>,
+    (fitted, index): (&Fitted, usize),
+    frame: &Frame<'_>,
     samples: &[Sample],
-    tile: Tile,
-    cells: Vec<u32>,
     depth: Depth<'_>,
-    situation: &Situation<'_>,
+    facet: &mut Facet,
 ) -> Result<Finished, PlanError> {
     // Keep gutters free.
+    let situation = frame.situation;
+    let (window, tile) = (&fitted.windows.list[index], fitted.tiles[index]);
+    let draft = frame.facet(window);
     let reach = 0.5 * f64::from(situation.case.filter.texels_across());
-    let inset = region::inset(window, &tile, reach);
-    let Inset { rows, clip, outline, inner_texels } =
-        inset.ok_or_else(|| map_area(situation).too_small(1))?;
+    let corners = fitted.windows.outline(index);
+    let mut outline = Places::new();
+    let inset = region::inset((&window.rows, corners), &draft.region, (&tile, reach), &mut outline);
+    let Inset { rows, clip, inner_texels } = inset.ok_or_else(|| map_area(situation).too_small(1))?;
 
     // Measure texels across the light, per w.
     let texels = TexelsPerW::measure(&rows, inner_texels, samples, situation.view);
     let extension = PLANE_EXTENSION_TEXELS.max(situation.case.filter.radius_texels() + 1);
     let margin =
         f64::from(extension) * texels.major + bias_metres_per_w(situation.case, &texels, &rows, samples);
-    let receivers = &window.draft.receivers;
+    let receivers = frame.draft.receivers(draft);
     let width = texels.major * f64::from(tile.width.max(tile.height));
     let farthest = FARTHEST_PIXELS * situation.view.pixels_per_tangent() * width;
     let needs = DepthNeeds {
@@ -79,21 +82,27 @@ pub(super) fn finish(
         shear: depth.shear,
     };
     let depths = depth_rows(&rows, &needs, samples.iter().map(|sample| sample.point));
-    let rounding = FLOAT_ROUNDING + 1.5 * situation.case.map.format.rounding();
-    let facet = Facet {
-        cells,
-        select: window.draft.select.to_vec(),
-        clip,
-        casters: casters::planes(&rows, &tile, &receivers.planes, &outline, situation.light),
-        receivers: receivers.vertices.to_vec(),
-        rows,
-        tile,
-        depth_per_metre: 1.0,
-        texel_metres_per_w: texels.major,
-        receiver_plane_depth: RECEIVER_PLANE_TEXELS * texels.minor,
-        rounding_depth: rounding,
-    };
-    Ok(Finished { facet, depths, texel: texels.major, seen: window.seen })
+
+    let shape = situation.case.shape();
+    facet.cells.clear();
+    if draft.is_dominant() {
+        facet.cells.push(shape.cells() - 1);
+    }
+    facet.cells.extend(draft.cells.iter().map(|cell| cell.index(shape.sectors, shape.bands)));
+    copy(&draft.select, &mut facet.select);
+    copy(&clip, &mut facet.clip);
+    copy(receivers.vertices, &mut facet.receivers);
+    casters::list_planes(&rows, &tile, receivers.planes, &outline, situation.light, &mut facet.casters);
+    (facet.rows, facet.tile) = (rows, tile);
+    (facet.depth_per_metre, facet.texel_metres_per_w) = (1.0, texels.major);
+    facet.receiver_plane_depth = RECEIVER_PLANE_TEXELS * texels.minor;
+    facet.rounding_depth = FLOAT_ROUNDING + 1.5 * situation.case.map.format.rounding();
+    Ok(Finished { depths, texel: texels.major, seen: window.seen })
+}
+
+fn copy(from: &[DVec4], to: &mut Vec<DVec4>) {
+    to.clear();
+    to.extend_from_slice(from);
 }
 
 /// How plans may keep precision.
@@ -114,9 +123,8 @@ impl Finished {
         Some(self.seen as f64 * libm::log(moved.max(f64::MIN_POSITIVE)))
     }
 
-    /// The facet with its depth under an order.
-    pub(super) fn stored(self, order: usize) -> Result<Facet, PlanError> {
-        let mut facet = self.facet;
+    /// Gives its facet the depth of an order.
+    pub(super) fn store(&self, order: usize, facet: &mut Facet) -> Result<(), PlanError> {
         let depth = self.depths.get(order).copied().flatten();
         let depth = depth.ok_or(PlanError::Degenerate {
             facet: facet.first_cell(),
@@ -125,7 +133,7 @@ impl Finished {
         facet.rows.z = depth.row;
         facet.depth_per_metre = depth.depth_per_metre;
         facet.receiver_plane_depth *= depth.depth_per_metre;
-        Ok(facet)
+        Ok(())
     }
 }
 
@@ -155,9 +163,10 @@ impl TexelsPerW {
         let mut majors: SmallVec<[f64; COMPARED_SAMPLES]> = SmallVec::new();
         let mut minors: SmallVec<[f64; COMPARED_SAMPLES]> = SmallVec::new();
         let step = samples.len().div_ceil(COMPARED_SAMPLES).max(1);
+        let per_texel = 1.0 / inner_texels;
         for Sample { point, gram } in samples.iter().step_by(step) {
             let w = rows.w.dot(point.extend(1.0));
-            let (major, minor) = gram.axes_pixels(inner_texels.x, inner_texels.y);
+            let (major, minor) = gram.axes_pixels(per_texel.x, per_texel.y);
             let metres_per_w = -point.z / (view.pixels_per_tangent() * w);
             if major.is_finite() && w > 0.0 {
                 majors.push(major * metres_per_w);

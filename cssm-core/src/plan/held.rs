@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 use smallvec::SmallVec;
 
-use super::fitted::PREDICTED;
+use super::fitted::around_rank;
 use super::make::shear;
 use super::visible::{self, Visible};
 use super::{PlanRequest, ShadowPlan, WorldPlane};
@@ -37,6 +37,22 @@ pub struct PlanBasis {
     /// Predicted 95th percentile of the texel footprint over sample receivers of the view that the plan was made for,
     /// screen pixels.
     pub p95_pixels: f64,
+}
+
+impl PlanBasis {
+    /// What a plan of nothing was made from.
+    pub(super) const fn none() -> Self {
+        Self {
+            light: Light::Directional { toward_light_world: DVec3::Y },
+            follows_camera: false,
+            receivers: Vec::new(),
+            cut: Cut::None,
+            lit: Vec::new(),
+            ground_planes: [None; MOST_GROUND_PLANES],
+            samples: 0,
+            p95_pixels: 0.0,
+        }
+    }
 }
 
 /// How far beyond a half-space a receiver may lie, relative to the terms of its distance: rounding of eyes far from the
@@ -130,7 +146,7 @@ impl ShadowPlan {
         let world_from_camera = view.camera_from_world.transpose();
         let way = view.eye_world - self.eye_world;
         let mut points = Points::new();
-        samples::sample(view, &receivers, self.basis.samples, &mut points);
+        samples::sample(view, &receivers, self.basis.samples, &mut |point| points.push(point));
         let mut footprints: SmallVec<[f64; 512]> = points
             .into_iter()
             .map(|point| {
@@ -140,12 +156,7 @@ impl ShadowPlan {
                 metres * view.pixels_per_tangent() / -point.z
             })
             .collect();
-        let rank = (PREDICTED * footprints.len() as f64) as usize;
-        if rank >= footprints.len() {
-            return 0.0;
-        }
-        let (_, p95, _) = footprints.select_nth_unstable_by(rank, f64::total_cmp);
-        *p95
+        around_rank(&mut footprints)
     }
 
     /// Receivers of a view that the plan covers, in the view's camera space; `None` where there are none.

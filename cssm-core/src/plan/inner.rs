@@ -3,9 +3,8 @@
 use glam::{DVec3, DVec4};
 use smallvec::SmallVec;
 
-use crate::receivers::DEPTH_ROW;
+use crate::receivers::{Body, DEPTH_ROW, Polytope};
 use crate::samples::SAMPLED_HORIZON_METRES;
-use crate::technique::FacetDraft;
 
 /// Deepest inner point of a facet that begins beyond the sampled horizon, in depths of its nearest receiver.
 const FARTHEST_PER_NEAREST: f64 = 4.0;
@@ -14,11 +13,11 @@ const STEP: f64 = 0.618_033_988_749_894_9;
 
 /// Points spread inside a facet's receivers as the view's samples are: evenly in the logarithm of depth, to the
 /// sampled horizon, and over the cut at that depth.
-pub(super) fn points(facet: &FacetDraft, count: usize, add: &mut impl FnMut(DVec3)) {
-    let (nearest, farthest) = facet.receivers.range(DEPTH_ROW);
+pub(super) fn points(receivers: Body<'_>, count: usize, add: &mut impl FnMut(DVec3)) {
+    let (nearest, farthest) = receivers.range(DEPTH_ROW);
     let horizon = SAMPLED_HORIZON_METRES.max(FARTHEST_PER_NEAREST * nearest);
-    let cut = (farthest > horizon).then(|| facet.receivers.cut_by(&[DVec4::W * horizon - DEPTH_ROW]));
-    let near = cut.as_ref().unwrap_or(&facet.receivers);
+    let cut = (farthest > horizon).then(|| receivers.cut_by(&[DVec4::W * horizon - DEPTH_ROW]));
+    let near = cut.as_ref().map_or(receivers, Polytope::body);
     let depth = |vertex: &DVec4| DEPTH_ROW.dot(*vertex) / vertex.w;
     let farthest = near.vertices.iter().map(depth).fold(nearest, f64::max);
     let logarithm = libm::log(farthest / nearest);
@@ -27,7 +26,7 @@ pub(super) fn points(facet: &FacetDraft, count: usize, add: &mut impl FnMut(DVec
         let limit = nearest * libm::exp(logarithm * (index as f64 + 0.5) / count as f64);
         above.clear();
         below.clear();
-        for vertex in &near.vertices {
+        for vertex in near.vertices {
             if depth(vertex) <= limit { above.push(*vertex) } else { below.push(*vertex) }
         }
 

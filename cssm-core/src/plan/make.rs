@@ -1,23 +1,31 @@
 //! From a request to a plan: drafts, their windows and tiles, the best of them finished.
 
+use std::ops::Range;
+
 use glam::{DVec2, DVec4};
 
-use super::fitted::{self, Fitted};
-use super::held::PlanBasis;
+use super::finish::{self, Depth};
+use super::fitted::Fitted;
+use super::planner::Work;
 use super::visible::{self, Visible};
-use super::{DepthOrder, PlanError, PlanRequest, ShadowPlan, ViewMargin, dominant, finish, snap, window};
+use super::window::{self, Frame};
+use super::{DepthOrder, PlanError, PlanRequest, ShadowPlan, ViewMargin, dominant, snap};
 use crate::case::{LightCase, LightKind, Stability};
-use crate::choose::{ChoiceReason, ConfigurationChoice, Kept, Prediction, choose, made_for};
+use crate::choose::{ChoiceReason, Kept, choose, list_made_for};
 use crate::distribution;
 use crate::facet::{Facet, Selection};
 use crate::fit::{self, Sighted};
 use crate::light::LightPosition;
-use crate::schema::Word;
-use crate::technique::{Draft, Situation};
+use crate::technique::Situation;
 use crate::view::{View, ViewLattice};
 
-/// Makes the plan of a request, with a configuration to stay with.
-pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, PlanError> {
+/// Makes the plan of a request, with a configuration to stay with, in the place of another.
+pub(crate) fn make(
+    request: &PlanRequest<'_>,
+    kept: Kept,
+    work: &mut Work,
+    plan: &mut ShadowPlan,
+) -> Result<(), PlanError> {
     // Find what is visible, with the margin around it.
     let case = request.case;
     let region = request.checked_region()?;
@@ -30,15 +38,11 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
         return Err(PlanError::EyeHeight);
     }
     let spec = case.technique_spec();
-    let position = LightPosition::of(view, light_camera);
-    let shear = shear(view, light_camera, spec.follows_camera);
-    let nothing = receivers.is_empty();
-    let map_size_texels = (region.width, region.height);
     let sighted = Sighted::of(case.fit, view, light_camera, &receivers, &request.seen())?;
     let situation = Situation {
         case,
         view,
-        map_size_texels,
+        map_size_texels: (region.width, region.height),
         light: light_camera,
         cone,
         eye_height_metres,
@@ -46,150 +50,164 @@ pub(crate) fn make(request: &PlanRequest<'_>, kept: Kept) -> Result<ShadowPlan, 
         seen,
         sighted,
     };
-    let plan = |made: Made| {
-        let row_to_world = |row: DVec4| (view.camera_from_world.transpose() * row.truncate()).extend(row.w);
-        let Made { choice, depth_order, facets, selection, covered, samples, p95_pixels } = made;
-        let mut facets: Vec<Facet> = facets.into_iter().map(|facet| facet.turned(&row_to_world)).collect();
-        for tile in facets.iter_mut().map(|facet| &mut facet.tile) {
-            (tile.x, tile.y) = (tile.x + region.x, tile.y + region.y);
-        }
-        facets.sort_by_key(Facet::first_cell);
-        let mut plan = ShadowPlan {
-            configuration: choice.configuration,
-            choice,
-            eye_world: view.eye_world,
-            camera_from_world: view.camera_from_world,
-            shear,
-            light: light_world,
-            pixel_metres: request.view.pixel_metres(),
-            depth_order,
-            map_size_texels: (case.map.width, case.map.height),
-            region,
-            basis: PlanBasis {
-                light: *request.light,
-                follows_camera: spec.follows_camera,
-                lit: situation.receivers.planes[lit.clone()].iter().copied().map(row_to_world).collect(),
-                receivers: covered.into_iter().map(row_to_world).collect(),
-                cut: situation.sighted.cut().clone(),
-                ground_planes,
-                samples,
-                p95_pixels,
-            },
-            selection: walk(selection, case, &row_to_world),
-            facets,
-        };
-        if matches!(case.stability, Stability::Quantised { .. }) {
-            // The lattice decides texels, not what they are relative to.
-            plan.rebase(request.view);
-        }
-        plan
-    };
-
-    // Nothing visible is nothing to draft.
-    if nothing {
-        let configuration = case.configurations.first().map_or("", |word| word.name);
-        let choice = ConfigurationChoice {
-            position,
-            configuration,
-            reason: ChoiceReason::Only,
-            predictions: Vec::new(),
-            complete: true,
-            fallback: None,
-            made_for_position: made_for(case, position),
-        };
-        return Ok(plan(Made {
-            choice,
-            depth_order: orders(case, light_camera)[0],
-            facets: Vec::new(),
-            selection: Selection::single(),
-            covered: vec![-DVec4::W],
-            samples: 0,
-            p95_pixels: 0.0,
-        }));
+    let depth =
+        Depth { orders: orders(case, light_camera), shear: shear(view, light_camera, spec.follows_camera) };
+    work.begin(case, plan);
+    work.plan.choice.position = LightPosition::of(view, light_camera);
+    if situation.receivers.is_empty() {
+        fill_nothing(case, depth, work);
+    } else {
+        fill(request, kept, (&situation, plane, depth), &lit, work)?;
     }
 
-    // Draft every declared configuration, fit the drafts and take the best.
-    let dominant = plane.and_then(|plane| dominant::facet(&situation, plane));
-    let draft = |word: &Word| (spec.configuration(word.name).draft)(&situation, word);
-    let drafted = any(case.configurations.iter().map(draft))?.into_iter().flatten();
-    let whole = |draft: Draft| {
-        let draft =
-            if case.stability == Stability::Snapped { snap::aligned(draft, &situation) } else { draft };
-        fit::narrowed(draft.with_dominant(dominant.as_ref()), &situation)
-    };
-    let drafts: Vec<Draft> = drafted.map(whole).collect();
-    let (samples, sample_count) = window::samples(&situation, &drafts);
-    let mut fitted = any(drafts.iter().map(|draft| fitted::fit(draft, &situation, &samples)))?;
-    if fitted.is_empty() {
-        return Err(PlanError::Degenerate {
+    // Everything relative to the eye in world axes, with tiles in the whole map.
+    let made = &mut work.plan;
+    let row_to_world = |row: DVec4| (view.camera_from_world.transpose() * row.truncate()).extend(row.w);
+    for facet in &mut made.facets {
+        facet.turn(&row_to_world);
+        (facet.tile.x, facet.tile.y) = (facet.tile.x + region.x, facet.tile.y + region.y);
+    }
+    made.facets.sort_unstable_by_key(Facet::first_cell);
+    for row in made.selection.rows_mut().chain(&mut made.basis.receivers) {
+        *row = row_to_world(*row);
+    }
+    made.configuration = made.choice.configuration;
+    list_made_for(case, made.choice.position, &mut made.choice.made_for_position);
+    (made.eye_world, made.camera_from_world) = (view.eye_world, view.camera_from_world);
+    (made.shear, made.light) = (depth.shear, light_world);
+    made.pixel_metres = request.view.pixel_metres();
+    (made.map_size_texels, made.region) = ((case.map.width, case.map.height), region);
+    made.basis.light = *request.light;
+    made.basis.follows_camera = spec.follows_camera;
+    made.basis.lit.clear();
+    made.basis.lit.extend(situation.receivers.planes[lit].iter().copied().map(row_to_world));
+    made.basis.cut.clone_from(situation.sighted.cut());
+    made.basis.ground_planes = ground_planes;
+    if matches!(case.stability, Stability::Quantised { .. }) {
+        // The lattice decides texels, not what they are relative to.
+        made.rebase(request.view);
+    }
+    std::mem::swap(plan, made);
+    Ok(())
+}
+
+/// Fills in the plan of a light that reaches nothing visible: nothing visible is nothing to draft.
+fn fill_nothing(case: &LightCase, depth: Depth<'_>, work: &mut Work) {
+    work.list_facets(0);
+    let made = &mut work.plan;
+    made.choice.configuration = case.configurations.first().map_or("", |word| word.name);
+    (made.choice.reason, made.choice.complete, made.choice.fallback) = (ChoiceReason::Only, true, None);
+    made.choice.predictions.clear();
+    made.depth_order = depth.orders[0];
+    made.basis.receivers.clear();
+    made.basis.receivers.push(-DVec4::W);
+    (made.basis.samples, made.basis.p95_pixels) = (0, 0.0);
+    list_walk(&Selection::single(), case, &mut made.selection);
+}
+
+/// Fills in facets, walk and choice, in camera space with tiles from the region's corner.
+fn fill(
+    request: &PlanRequest<'_>,
+    kept: Kept,
+    (situation, plane, depth): (&Situation<'_>, Option<DVec4>, Depth<'_>),
+    lit: &Range<usize>,
+    work: &mut Work,
+) -> Result<(), PlanError> {
+    // Draft every declared configuration.
+    let case = request.case;
+    let spec = case.technique_spec();
+    let dominant = plane.and_then(|plane| dominant::facet(situation, plane));
+    let mut first_error = None;
+    for word in &case.configurations {
+        let known = work.drafts.len();
+        if let Err(error) = (spec.configuration(word.name).draft)(situation, word, &mut work.drafts) {
+            work.drafts.truncate(known);
+            first_error = first_error.or(Some(error));
+        }
+    }
+    if let (Some(error), 0) = (first_error, work.drafts.len()) {
+        return Err(error);
+    }
+    for draft in work.drafts.list_mut() {
+        if case.stability == Stability::Snapped {
+            snap::align(draft, situation);
+        }
+        draft.add_dominant(dominant.as_ref());
+        fit::narrow(draft, situation);
+    }
+
+    // Fit the drafts and take the best.
+    let drafts = work.drafts.list();
+    let samples = window::samples(situation, drafts, &mut work.points);
+    work.fitted.resize_with(work.fitted.len().max(drafts.len()), Fitted::default);
+    work.usable.clear();
+    work.predictions.clear();
+    let mut first_error = None;
+    for (index, draft) in drafts.iter().enumerate() {
+        let frame = Frame { draft, situation, samples: &work.points };
+        let fitted = &mut work.fitted[index];
+        match fitted.fit(&frame, &mut work.fitting) {
+            Ok(()) => {
+                work.predictions.push(fitted.prediction(draft));
+                work.usable.push(index);
+            }
+            Err(error) => first_error = first_error.or(Some(error)),
+        }
+    }
+    if work.usable.is_empty() {
+        return Err(first_error.unwrap_or(PlanError::Degenerate {
             facet: 0,
             why: "no declared configuration has facets for this light; declare the technique's defaults",
-        });
+        }));
     }
-    let predictions: Vec<Prediction> = fitted.iter().map(Fitted::prediction).collect();
-    let (best_draft, reason) = choose(&predictions, kept);
-    let complete = predictions[best_draft].p95_pixels.is_finite();
-    let Fitted { draft, windows, tiles, p95_pixels } = fitted.swap_remove(best_draft);
+    let (best, reason) = choose(&work.predictions, kept);
+    let is_complete = work.predictions[best].p95_pixels.is_finite();
+    let best = work.usable[best];
+    let count = work.fitted[best].windows.list.len();
+    work.list_facets(count);
+    let draft = &work.drafts.list()[best];
+    let frame = Frame { draft, situation, samples: &work.points };
+    let fitted = &work.fitted[best];
 
     // Store depth the way that rounds least.
-    let shape = case.shape();
-    let depth = finish::Depth { orders: orders(case, light_camera), shear };
-    let mut finished = Vec::with_capacity(windows.list.len());
-    for (index, (window, tile)) in windows.list.iter().zip(&tiles).enumerate() {
-        let cells = if window.draft.is_dominant() {
-            vec![shape.cells() - 1]
-        } else {
-            window.draft.cells.iter().map(|cell| cell.index(shape.sectors, shape.bands)).collect()
-        };
-        finished.push(finish::finish(
-            window,
-            &windows.judged(index, &situation, &samples),
-            *tile,
-            cells,
-            depth,
-            &situation,
-        )?);
+    work.finished.clear();
+    for (index, facet) in work.plan.facets.iter_mut().enumerate() {
+        fitted.windows.judged(index, &frame, &mut work.judged);
+        let finished = finish::finish((fitted, index), &frame, &work.judged, depth, facet)?;
+        work.finished.push(finished);
     }
-    let moved = |order: usize| finished.iter().map(|facet| facet.moved(order)).sum::<Option<f64>>();
-    let sums = (0..depth.orders.len()).filter_map(|order| Some((order, moved(order)?)));
-    let best_order = sums.min_by(|(_, one), (_, two)| one.total_cmp(two)).map_or(0, |(order, _)| order);
-    let depth_order = depth.orders[best_order];
-    let facets: Result<Vec<Facet>, PlanError> =
-        finished.into_iter().map(|facet| facet.stored(best_order)).collect();
-    let facets = facets?;
+    let moved = |order: usize| work.finished.iter().map(|facet| facet.moved(order)).sum::<Option<f64>>();
+    let best_order = if depth.orders.len() == 1 {
+        0
+    } else {
+        let sums = (0..depth.orders.len()).filter_map(|order| Some((order, moved(order)?)));
+        sums.min_by(|(_, one), (_, two)| one.total_cmp(two)).map_or(0, |(order, _)| order)
+    };
+    for (finished, facet) in work.finished.iter().zip(&mut work.plan.facets) {
+        finished.store(best_order, facet)?;
+    }
 
     // The one facet over what is seen of some volumes holds less than everything visible.
+    let made = &mut work.plan;
     let mut own = draft.facets.iter().filter(|facet| !facet.is_dominant());
     let planes = match (own.next(), own.next()) {
-        (Some(whole), None) if !request.volumes_world.is_empty() => &whole.receivers.planes,
+        (Some(whole), None) if !request.volumes_world.is_empty() => draft.receivers(whole).planes,
         _ => &situation.receivers.planes,
     };
     let not_lit = planes.iter().enumerate().filter(|(index, _)| !lit.contains(index));
-    let covered = not_lit.map(|(_, plane)| *plane).collect();
-    let choice = ConfigurationChoice {
-        position,
-        configuration: draft.configuration,
-        reason,
-        predictions: if predictions.len() > 1 { predictions } else { Vec::new() },
-        complete,
-        fallback: draft.fallback,
-        made_for_position: made_for(case, position),
-    };
-    let selection = draft.selection.clone();
-    Ok(plan(Made { choice, depth_order, facets, selection, covered, samples: sample_count, p95_pixels }))
-}
-
-/// What was made, in camera space, with tiles from the region's corner.
-struct Made {
-    choice: ConfigurationChoice,
-    depth_order: DepthOrder,
-    facets: Vec<Facet>,
-    selection: Selection,
-    /// Half-spaces of the receivers that have a facet.
-    covered: Vec<DVec4>,
-    /// Sample receivers by which it was judged.
-    samples: u32,
-    p95_pixels: f64,
+    made.basis.receivers.clear();
+    made.basis.receivers.extend(not_lit.map(|(_, plane)| *plane));
+    (made.basis.samples, made.basis.p95_pixels) = (samples, fitted.p95_pixels);
+    made.depth_order = depth.orders[best_order];
+    let choice = &mut made.choice;
+    (choice.configuration, choice.reason) = (draft.configuration, reason);
+    (choice.complete, choice.fallback) = (is_complete, draft.fallback);
+    choice.predictions.clear();
+    if work.predictions.len() > 1 {
+        choice.predictions.extend_from_slice(&work.predictions);
+    }
+    list_walk(&draft.selection, case, &mut made.selection);
+    Ok(())
 }
 
 /// The view that a plan is made for: as far as shadows reach, with the request's margin, around the nearest view of the
@@ -227,47 +245,26 @@ fn orders(case: &LightCase, light_camera: DVec4) -> &'static [DepthOrder] {
     }
 }
 
-/// The walk with as many cells as the case has, in world axes.
-fn walk(selection: Selection, case: &LightCase, row_to_world: &impl Fn(DVec4) -> DVec4) -> Selection {
+/// The walk with as many cells as the case has.
+fn list_walk(selection: &Selection, case: &LightCase, padded: &mut Selection) {
     let shape = case.shape();
-    let mut selection = selection.padded(&shape);
-    if case.scales_thresholds() && selection.units.is_empty() {
-        // Another configuration of the case scales its limits; this one's are plain.
-        selection.units = vec![DVec4::W; (shape.halves * shape.sectors) as usize];
-    }
+    selection.pad(&shape, padded);
     if !case.scales_thresholds() {
-        selection.units.clear();
-    }
-    for row in selection.rows_mut() {
-        *row = row_to_world(*row);
-    }
-    selection
-}
-
-/// What succeeded; the first error only where nothing did.
-fn any<T>(results: impl Iterator<Item = Result<T, PlanError>>) -> Result<Vec<T>, PlanError> {
-    let (mut found, mut first_error) = (Vec::new(), None);
-    for result in results {
-        match result {
-            Ok(one) => found.push(one),
-            Err(error) => first_error = first_error.or(Some(error)),
-        }
-    }
-    match first_error {
-        Some(error) if found.is_empty() => Err(error),
-        _ => Ok(found),
+        padded.units.clear();
+    } else if padded.units.is_empty() {
+        // Another configuration of the case scales its limits; this one's are plain.
+        padded.units.extend((0..shape.halves * shape.sectors).map(|_| DVec4::W));
     }
 }
 
 impl Facet {
-    /// The facet with every row and vertex turned from camera axes to world axes.
-    fn turned(mut self, row_to_world: &impl Fn(DVec4) -> DVec4) -> Self {
+    /// Turns every row and vertex from camera axes to world axes.
+    fn turn(&mut self, row_to_world: &impl Fn(DVec4) -> DVec4) {
         let rows = [&mut self.rows.x, &mut self.rows.y, &mut self.rows.z, &mut self.rows.w];
         let lists = [&mut self.select, &mut self.clip, &mut self.casters, &mut self.receivers];
         // The rotation is orthogonal, so points turn as rows do.
         for row in rows.into_iter().chain(lists.into_iter().flatten()) {
             *row = row_to_world(*row);
         }
-        self
     }
 }

@@ -1,14 +1,17 @@
 //! Where a facet's image lies once its tile is known: inside the gutters, or inside its triangle of a shared tile.
 
 use glam::{DVec2, DVec4};
+use smallvec::{SmallVec, smallvec};
 
-use super::window::Window;
 use crate::facet::{FacetRows, Tile};
-use crate::polygon::Outline;
+use crate::polygon::Places;
 use crate::technique::Region;
 
 /// Smallest radius of the circle inside a triangle's receivers, in texels.
 const SMALLEST_RADIUS_TEXELS: f64 = 1.0;
+
+/// Half-spaces that casters are cut with.
+pub(super) type Clip = SmallVec<[DVec4; 2]>;
 
 /// A window within its tile.
 #[derive(Debug)]
@@ -16,9 +19,7 @@ pub(super) struct Inset {
     /// Its rows.
     pub(super) rows: FacetRows,
     /// Half-spaces that casters are cut with.
-    pub(super) clip: Vec<DVec4>,
-    /// Outline of its receivers in x/w and y/w.
-    pub(super) outline: Outline,
+    pub(super) clip: Clip,
     /// Texels that the window's clip space, before it was moved, takes across and up.
     pub(super) inner_texels: DVec2,
 }
@@ -26,16 +27,23 @@ pub(super) struct Inset {
 /// Moves x and y rows off the tile's edges and off its neighbours in a shared tile by the gutter, and finds the
 /// half-spaces that casters are cut with. `None` when the gutters leave nothing.
 /// `reach` is the distance in texels along each axis from a receiver to the farthest texel centre that its filter reads.
-pub(super) fn inset(window: &Window<'_>, tile: &Tile, reach: f64) -> Option<Inset> {
-    let rows = &window.rows;
-    let (rows, clip, scale, shift) = moved(rows, &window.draft.region, tile, reach)?;
+/// Lists the outline of its receivers in x/w and y/w.
+pub(super) fn inset(
+    (rows, corners): (&FacetRows, &[DVec2]),
+    region: &Region,
+    (tile, reach): (&Tile, f64),
+    outline: &mut Places,
+) -> Option<Inset> {
+    let (rows, clip, scale, shift) = moved(rows, region, tile, reach)?;
     let place = |corner: &DVec2| {
         let y = if rows.remap.is_none() { corner.y * scale.y + shift.y } else { corner.y };
         DVec2::new(corner.x * scale.x + shift.x, y)
     };
-    let outline = window.outline.iter().map(place).collect();
+    for corner in corners {
+        outline.push(place(corner));
+    }
     let inner_texels = scale * DVec2::new(f64::from(tile.width), f64::from(tile.height));
-    Some(Inset { rows, clip, outline, inner_texels })
+    Some(Inset { rows, clip, inner_texels })
 }
 
 /// The rows within their tile, half-spaces that casters are cut with, and what clip space was scaled and then shifted by.
@@ -44,7 +52,7 @@ fn moved(
     region: &Region,
     tile: &Tile,
     reach: f64,
-) -> Option<(FacetRows, Vec<DVec4>, DVec2, DVec2)> {
+) -> Option<(FacetRows, Clip, DVec2, DVec2)> {
     match region {
         Region::Tile(_) | Region::Whole(_) => {
             let inner = |side: u32| f64::from(side - 2 * tile.gutter) / f64::from(side);
@@ -55,7 +63,7 @@ fn moved(
             } else {
                 FacetRows { x: across, remap: rows.remap.scaled(scale.y), ..*rows }
             };
-            Some((rows, Vec::new(), scale, DVec2::ZERO))
+            Some((rows, Clip::new(), scale, DVec2::ZERO))
         }
         Region::Triangle { corners, .. } => {
             // Shrink the triangle about the centre of its inner circle, measured in texels.
@@ -86,7 +94,7 @@ fn moved(
                 let row = rows.x * inward.x + rows.y * inward.y - rows.w * inward.dot(from);
                 row / row.truncate().length()
             };
-            let clip = vec![edge(tip, one), edge(two, tip)];
+            let clip = smallvec![edge(tip, one), edge(two, tip)];
             Some((rows, clip, DVec2::splat(scale), centre * (1.0 - scale)))
         }
     }

@@ -1,6 +1,6 @@
 //! What a plan is asked for.
 
-use super::{BoundingBox, PlanError, SceneBounds, ShadowPlan, make};
+use super::{BoundingBox, PlanError, SceneBounds, ShadowPlan, Work, make};
 use crate::case::LightCase;
 use crate::choose::Kept;
 use crate::fit::{DepthHistogram, Seen};
@@ -101,7 +101,9 @@ impl<'a> PlanRequest<'a> {
     /// # Errors
     /// A [`PlanError`] that says what to change.
     pub fn plan(&self) -> Result<ShadowPlan, PlanError> {
-        make(self, Kept::default())
+        let mut plan = ShadowPlan::empty();
+        make(self, Kept::default(), &mut Work::default(), &mut plan)?;
+        Ok(plan)
     }
 
     /// The rectangle of the map that the plan shares among its facets.

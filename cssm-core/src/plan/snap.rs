@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec4};
 
-use super::window::{Window, Windows};
+use super::window::{Frame, Window, Windows};
 use crate::facet::Tile;
 use crate::remap::Curve;
 use crate::technique::{Draft, FacetDraft, Region, Situation, light_plane_axes};
@@ -14,10 +14,10 @@ const PITCHES_PER_OCTAVE: f64 = 8.0;
 /// Part of a pitch by which rounding may move one that lies on the ladder.
 const SAME_PITCH: f64 = 1e-9;
 
-/// The draft with the axes of its linear facets fixed in the world.
-pub(super) fn aligned(mut draft: Draft, situation: &Situation<'_>) -> Draft {
+/// Fixes the axes of a draft's linear facets in the world.
+pub(super) fn align(draft: &mut Draft, situation: &Situation<'_>) {
     if situation.light.w != 0.0 {
-        return draft;
+        return;
     }
     let camera_from_world = situation.view.camera_from_world;
     let light_world = camera_from_world.transpose() * situation.light.truncate();
@@ -26,14 +26,14 @@ pub(super) fn aligned(mut draft: Draft, situation: &Situation<'_>) -> Draft {
     for facet in draft.facets.iter_mut().filter(|facet| is_linear(facet)) {
         (facet.x, facet.y) = (to_camera(x), to_camera(y));
     }
-    draft
 }
 
 /// Enlarges the windows of linear facets to whole texels of the lattice, whose pitch is the next one that holds them.
-pub(super) fn snap(windows: &mut Windows<'_>, tiles: &[Tile], view: &View) {
+pub(super) fn snap(windows: &mut Windows, tiles: &[Tile], frame: &Frame<'_>) {
+    let view = frame.situation.view;
     for (index, tile) in tiles.iter().enumerate() {
         let window = &windows.list[index];
-        if !is_linear(window.draft) {
+        if !is_linear(frame.facet(window)) {
             continue;
         }
         let across = Snapped::of(window, window.rows.x, tile.width.saturating_sub(2 * tile.gutter), view);
@@ -59,7 +59,7 @@ struct Snapped {
 
 impl Snapped {
     /// `row` is linear and spans the window's receivers from -1 to 1 over so many texels.
-    fn of(window: &Window<'_>, row: DVec4, texels: u32, view: &View) -> Option<Self> {
+    fn of(window: &Window, row: DVec4, texels: u32, view: &View) -> Option<Self> {
         // Find the next pitch with which the window, wherever it begins, spans whole texels.
         let per_metre = row.truncate().length() / window.rows.w.w;
         let texels = f64::from(texels);

@@ -2,13 +2,13 @@
 
 use glam::{DVec3, DVec4};
 
-use super::window::Window;
 use crate::facet::FacetRows;
 use crate::layout::Gram;
 use crate::remap::Remap;
 use crate::technique::Situation;
 
 /// What single texels of a tile span.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Texels {
     /// Rows of x/w in texels, y/w and w.
     rows: [DVec4; 3],
@@ -21,8 +21,8 @@ pub(super) struct Texels {
 
 impl Texels {
     /// Texels of a window in a tile whose inner part has this size.
-    pub(super) fn of(window: &Window<'_>, width: f64, height: f64, situation: &Situation<'_>) -> Self {
-        let FacetRows { x, y, w, remap, .. } = window.rows;
+    pub(super) fn of(rows: &FacetRows, width: f64, height: f64, situation: &Situation<'_>) -> Self {
+        let FacetRows { x, y, w, remap, .. } = *rows;
         let pixels = 2.0 * situation.view.pixels_per_tangent();
         Self { rows: [x * width, y, w], remap, height, scale: pixels * pixels }
     }

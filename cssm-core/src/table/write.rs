@@ -56,10 +56,10 @@ pub fn write_shadow_record_to(table: &CaseTable, plan: &ShadowPlan, bytes: &mut 
             Meaning::Thresholds => {
                 let vectors = (table.bands as usize - 1).div_ceil(4);
                 for sector in 0..(table.halves * table.sectors) as usize {
-                    let limits = plan.selection.thresholds.get(sector);
+                    let limits = plan.selection.limits(sector);
                     for index in 0..vectors * 4 {
-                        let limit = limits.and_then(|limits| limits.get(index));
-                        let limit = limit.map_or(UNREACHED, |limit| (*limit as f32).min(UNREACHED));
+                        let limit =
+                            limits.get(index).map_or(UNREACHED, |limit| (*limit as f32).min(UNREACHED));
                         put(bytes, offset + sector * stride * vectors + index * 4, limit);
                     }
                 }

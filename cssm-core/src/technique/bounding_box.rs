@@ -9,7 +9,7 @@
 use glam::{DVec2, DVec3, DVec4};
 
 use super::warp::{self, LightPlane};
-use super::{ConfigurationSpec, Draft, Situation, TechniqueSpec};
+use super::{ConfigurationSpec, Drafts, Situation, TechniqueSpec};
 use crate::case::LightKind;
 use crate::facet::{FacetRows, FacetShape};
 use crate::plan::PlanError;
@@ -54,7 +54,7 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
     check: |_| Vec::new(),
 };
 
-fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, word: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
@@ -65,14 +65,15 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
 
     // What lies outside the box is not seen.
     let sides = super::enclosing(&rows, held);
-    Ok(vec![warp::single(word.name, rows, situation.receivers.cut_by(&sides), None)])
+    warp::single(drafts, word.name, rows, situation.receivers.cut_by(&sides).body());
+    Ok(())
 }
 
 /// The plane turned to the box of least area around some points.
 pub(super) fn least_area(plane: &LightPlane, points: &[DVec4]) -> LightPlane {
     let rows =
         FacetRows { x: plane.across, y: plane.along, z: plane.unit, w: plane.unit, remap: Remap::NONE };
-    let outline = polygon::outline(&rows, points);
+    let outline = polygon::small_outline(&rows, points);
     let edges = outline.iter().zip(outline.iter().cycle().skip(1));
     let angle_and_area = |(one, two): (&DVec2, &DVec2)| {
         let axis = (*two - *one).try_normalize()?;

@@ -7,9 +7,9 @@ use smallvec::smallvec;
 use crate::distribution::{self, DistanceRange, Piece};
 use crate::facet::Cell;
 use crate::fit;
-use crate::receivers::{DEPTH_ROW, Polytope};
+use crate::receivers::{DEPTH_ROW, Polytope, Slices};
 use crate::remap::Curve;
-use crate::technique::{FacetDraft, Region, Sides, Situation, TileRequest};
+use crate::technique::{Draft, FacetDraft, Region, Sides, Situation, TileRequest};
 
 /// Slant up to which pieces ask for the footprint of the others.
 const STEEPEST_SLANT: f64 = 8.0;
@@ -37,19 +37,26 @@ pub(super) struct Column {
     pub(super) receivers: Polytope,
 }
 
-/// Adds the facets of a column under the case's distribution; returns the limits between them, ascending.
-pub(super) fn facets(column: &Column, situation: &Situation<'_>, facets: &mut Vec<FacetDraft>) -> Vec<f64> {
+/// Adds the facets of a column under the case's distribution, and the limits between them.
+pub(super) fn add(column: &Column, situation: &Situation<'_>, draft: &mut Draft) {
     let bends = distribution::remap_kind(situation.case) != distribution::RemapKind::None;
     let range = DistanceRange { bends, ..range(column, situation) };
     let pieces = distribution::split(situation.case, &range);
-    let limits = pieces.iter().skip(1).map(|piece| piece.nearest_metres).collect();
-    split(column, &pieces, facets);
-    limits
+    draft.selection.thresholds.extend(pieces.iter().skip(1).map(|piece| piece.nearest_metres));
+    split(column, &pieces, draft);
 }
 
 /// Adds the facets of a column, one for each piece.
-pub(super) fn split(column: &Column, pieces: &[Piece], facets: &mut Vec<FacetDraft>) {
-    facets.reserve(pieces.len());
+pub(super) fn split(column: &Column, pieces: &[Piece], draft: &mut Draft) {
+    // Pieces mostly lie one behind the other.
+    let follow = |pair: &[Piece]| {
+        let limit = pair[0].farthest_metres;
+        limit.is_finite() && limit == pair[1].nearest_metres && limit < pair[1].farthest_metres
+    };
+    let are_slices = pieces.windows(2).all(follow);
+    let whole = column.receivers.body();
+    let mut slices = are_slices.then(|| Slices::of(whole, column.distance, column.unit)).flatten();
+    draft.reserve(pieces.len());
     for (band, piece) in pieces.iter().enumerate() {
         let mut ends = Sides::new();
         if band > 0 {
@@ -67,13 +74,18 @@ pub(super) fn split(column: &Column, pieces: &[Piece], facets: &mut Vec<FacetDra
             }
             (false, _) => (column.unit, column.distance + column.unit * piece.push_back_metres),
         };
-        facets.push(FacetDraft {
+        let last = band + 1 == pieces.len();
+        let receivers = match &mut slices {
+            Some(slices) => slices.next((!last).then_some(piece.farthest_metres), &mut draft.bodies),
+            None => draft.bodies.add(whole.cut_by(&ends).body()),
+        };
+        draft.facets.push(FacetDraft {
             cells: smallvec![Cell { half: column.half, sector: column.sector, band: band as u32 }],
             x: column.across,
             y,
             curve: if uniform { Curve::Straight } else { piece.curve },
             w,
-            receivers: column.receivers.cut_by(&ends),
+            receivers,
             select: column.sides.iter().chain(&ends).copied().collect(),
             region: Region::Tile(request(column, piece)),
         });

@@ -22,7 +22,7 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
         takes_distribution: false,
         serves: |_| true,
         shape: |_, _| FacetShape::ONE,
-        draft: |situation, word| warp::draft(&WARP, word.name, situation),
+        draft: |situation, word, drafts| warp::draft(&WARP, word.name, situation, drafts),
     }],
     default_configurations: |light| only_directional(light, &["linear_density"]),
     distribution: None,

@@ -13,11 +13,11 @@ use glam::DVec3;
 
 use super::warp::{self, LightPlane, Warp, WarpSpec, Warped};
 use super::{
-    ConfigurationSpec, Draft, FacetDraft, Fallback, Region, Situation, TechniqueSpec, TileRequest,
+    ConfigurationSpec, Drafts, FacetDraft, Fallback, Region, Sides, Situation, TechniqueSpec, TileRequest,
     only_directional,
 };
 use crate::case::LightKind;
-use crate::facet::{Cell, FacetShape, Selection};
+use crate::facet::{Cell, FacetShape};
 use crate::plan::PlanError;
 use crate::schema::{Choice, Default, Field, Kind, Word};
 
@@ -64,12 +64,12 @@ pub(super) const WARP: WarpSpec = WarpSpec {
 const EARLY_NEAR: f64 = 1.0;
 const EARLY_FAR: f64 = 30.0;
 
-fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, word: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     let rule = situation.case.technique.arguments.word("rule").map(|rule| rule.name);
     if rule == Some("early_notes") {
-        early_notes(situation, word)
+        early_notes(situation, word, drafts)
     } else {
-        warp::draft(&WARP, word.name, situation)
+        warp::draft(&WARP, word.name, situation, drafts)
     }
 }
 
@@ -88,7 +88,7 @@ pub(super) fn optimal_strength(near_metres: f64, extent_metres: f64, sine: f64) 
 }
 
 /// The early notes' map: rows of fixed width, clip space as it comes.
-fn early_notes(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
+fn early_notes(situation: &Situation<'_>, word: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     let receivers = &situation.receivers;
     if receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
@@ -105,12 +105,8 @@ fn early_notes(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, Pla
     let (left, right) = receivers.ratio_range(plane.across, plane.unit);
     let (low, extent) = plane.extent(receivers);
     if !(right > left && extent > 0.0) {
-        return Ok(vec![warp::single(
-            word.name,
-            [plane.across, plane.along, plane.unit],
-            receivers.clone(),
-            None,
-        )]);
+        warp::single(drafts, word.name, [plane.across, plane.along, plane.unit], receivers.body());
+        return Ok(());
     }
     let t = (plane.along - plane.unit * low) / extent;
     let distance = plane.unit * EARLY_NEAR + t * (EARLY_FAR - EARLY_NEAR);
@@ -120,20 +116,12 @@ fn early_notes(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, Pla
 
     // What it cuts off has no shadow.
     let beyond = receivers.vertices.iter().any(|vertex| x.dot(*vertex).abs() > distance.dot(*vertex));
-    let sides = vec![distance - x, distance + x];
-    let facet = FacetDraft::straight(
-        Cell::FIRST,
-        [x, y, distance],
-        (super::Sides::new(), receivers.cut_by(&sides)),
-        Region::Whole(TileRequest::Share(1.0)),
-    );
+    let region = Region::Whole(TileRequest::Share(1.0));
+    let facet = FacetDraft::straight(Cell::FIRST, [x, y, distance], Sides::new(), region);
     let why = "the width of its map is fitted to nothing";
-    Ok(vec![Draft {
-        configuration: word.name,
-        form: "early notes",
-        complete: !beyond,
-        fallback: Fallback::of("no shadow at the sides", why, if beyond { 1.0 } else { 0.0 }),
-        selection: Selection::single(),
-        facets: vec![facet],
-    }])
+    let draft = drafts.open(word.name, (1, 1));
+    (draft.form, draft.complete) = ("early notes", !beyond);
+    draft.fallback = Fallback::of("no shadow at the sides", why, if beyond { 1.0 } else { 0.0 });
+    draft.push(facet, receivers.cut_by(&[distance - x, distance + x]).body());
+    Ok(())
 }

@@ -6,10 +6,10 @@
 
 use super::columns::{self, Column};
 use super::warp::{self, Warp, WarpSpec};
-use super::{ConfigurationSpec, Draft, Situation, TechniqueSpec, only_directional, warp_family};
+use super::{ConfigurationSpec, Drafts, Situation, TechniqueSpec, only_directional, warp_family};
 use crate::case::LightKind;
 use crate::distribution;
-use crate::facet::{FacetShape, Selection};
+use crate::facet::FacetShape;
 use crate::plan::PlanError;
 use crate::schema::{Choice, Word};
 
@@ -47,13 +47,13 @@ const WARP: WarpSpec =
 /// Least strength: weaker ones are uniform to any eye, and a logarithm of what hardly changes would lose f32 its digits.
 const WEAKEST: f64 = 0.05;
 
-fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, word: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     let receivers = &situation.receivers;
     if receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
     if receivers.is_empty() {
-        return warp::draft(&WARP, word.name, situation);
+        return warp::draft(&WARP, word.name, situation, drafts);
     }
     let Warp { plane, strength, fallback } = warp::of_view(&WARP, situation);
     let (low, extent) = plane.extent(receivers);
@@ -69,12 +69,11 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
         receivers: receivers.clone(),
     };
     let bands = distribution::pieces(situation.case);
-    let mut facets = Vec::new();
-    let limits = columns::facets(&column, situation, &mut facets);
-    let mut selection = Selection::around(1, bands);
+    let draft = drafts.open(word.name, (1, bands));
+    draft.fallback = fallback;
+    columns::add(&column, situation, draft);
     if bands > 1 {
-        selection.distances.push(column.distance);
-        selection.thresholds.push(limits);
+        draft.selection.distances.push(column.distance);
     }
-    Ok(vec![Draft { configuration: word.name, form: "", complete: true, fallback, selection, facets }])
+    Ok(())
 }

@@ -4,16 +4,16 @@
 use glam::{DVec3, DVec4};
 
 use super::standard::light_plane_axes;
-use super::warp::{LightPlane, WARPS, Warp, Warped};
+use super::warp::{LightPlane, WARPS, Warp, WarpSpec, Warped};
 use super::{
-    ConfigurationSpec, Draft, FacetDraft, Fallback, Region, Situation, TechniqueSpec, TileRequest,
+    ConfigurationSpec, Drafts, FacetDraft, Fallback, Region, Situation, TechniqueSpec, TileRequest,
     only_directional, slabs,
 };
 use crate::case::LightKind;
 use crate::facet::{Cell, FacetShape};
 use crate::plan::PlanError;
 use crate::receivers::{DEPTH_ROW, Polytope};
-use crate::schema::{Choice, Default, Field, Kind, Word};
+use crate::schema::{Arguments, Choice, Default, Field, Kind, Word};
 
 /// `warp`, the warp of each slab.
 const WARP: Field = Field {
@@ -65,7 +65,7 @@ const CONFIGURATION: ConfigurationSpec = ConfigurationSpec {
     draft,
 };
 
-fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, _: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
@@ -74,13 +74,15 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let (near, far) = situation.receivers.range(DEPTH_ROW);
     let limits = slabs::limits_metres(situation.case, near, far);
 
-    let mut fallback: Option<Fallback> = None;
-    let facets = (0..splits).map(|index| {
+    let draft = drafts.open(CONFIGURATION.choice.name, (1, splits));
+    draft.reserve(splits as usize);
+    let warp = arguments.word(WARP.name);
+    let warp = warp.and_then(|word| Some((word, WARPS.iter().find(|known| known.choice.name == word.name)?)));
+    let mut slices = warp.is_none().then(|| slabs::slices(&limits, &situation.receivers)).flatten();
+    let (x, y) = light_plane_axes(situation.light);
+    for index in 0..splits {
         let slab = index as usize;
         let select = slabs::select(&limits, slab);
-        let receivers = situation.receivers.cut_by(&select);
-        let (rows, given) = rows(situation, &receivers);
-        fallback = [fallback, given].into_iter().flatten().max_by(|one, two| one.share.total_cmp(&two.share));
         let region = Region::Tile(match arguments.sizes("sizes") {
             Some(sizes) => {
                 let (width, height) = situation.tile_size(sizes[slab]);
@@ -88,39 +90,39 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
             }
             None => TileRequest::Share(1.0 / f64::from(splits)),
         });
-        FacetDraft::straight(Cell::of(0, index), rows, (select, receivers), region)
-    });
-    let facets = facets.collect();
-    Ok(vec![Draft {
-        configuration: CONFIGURATION.choice.name,
-        form: "",
-        complete: true,
-        fallback,
-        facets,
-        selection: slabs::selection(limits),
-    }])
+        let facet = FacetDraft::straight(Cell::of(0, index), [x, y, DVec4::W], select, region);
+        let Some((word, known)) = warp else {
+            let limit = limits.get(slab).copied();
+            slabs::push(facet, limit, (slices.as_mut(), &situation.receivers), draft);
+            continue;
+        };
+        let receivers = situation.receivers.cut_by(&facet.select);
+        let (rows, given) = warped(situation, (&word.arguments, known), &receivers);
+        let [x, y, w] = rows.unwrap_or([x, y, DVec4::W]);
+        let fallbacks = [draft.fallback, given].into_iter().flatten();
+        draft.fallback = fallbacks.max_by(|one, two| one.share.total_cmp(&two.share));
+        draft.push(FacetDraft { x, y, w, ..facet }, receivers.body());
+    }
+    slabs::select_by(&limits, &mut draft.selection);
+    Ok(())
 }
 
-/// Rows x, y and w of a slab, and how far its warp gives way.
-fn rows(situation: &Situation<'_>, receivers: &Polytope) -> ([DVec4; 3], Option<Fallback>) {
-    let word = situation.case.technique.arguments.word(WARP.name);
-    let known =
-        word.and_then(|word| Some((word, WARPS.iter().find(|known| known.choice.name == word.name)?)));
-    match known {
-        Some((word, known)) if !receivers.is_empty() => {
-            let warped = Warped {
-                situation,
-                arguments: &word.arguments,
-                receivers,
-                depths_metres: receivers.range(DEPTH_ROW),
-                plane: LightPlane::along(situation, DVec3::NEG_Z),
-            };
-            let Warp { plane, strength, fallback } = (known.warp)(&warped);
-            (plane.rows(receivers, strength), fallback)
-        }
-        _ => {
-            let (x, y) = light_plane_axes(situation.light);
-            ([x, y, DVec4::W], None)
-        }
+/// Rows x, y and w of a warped slab, if it holds receivers, and how far its warp gives way.
+fn warped(
+    situation: &Situation<'_>,
+    (arguments, known): (&Arguments, &WarpSpec),
+    receivers: &Polytope,
+) -> (Option<[DVec4; 3]>, Option<Fallback>) {
+    if receivers.is_empty() {
+        return (None, None);
     }
+    let warped = Warped {
+        situation,
+        arguments,
+        receivers,
+        depths_metres: receivers.range(DEPTH_ROW),
+        plane: LightPlane::along(situation, DVec3::NEG_Z),
+    };
+    let Warp { plane, strength, fallback } = (known.warp)(&warped);
+    (Some(plane.rows(receivers, strength)), fallback)
 }

@@ -17,9 +17,10 @@ mod cube_faces;
 mod post_space;
 
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
 use self::post_space::PostSpace;
-use super::{ConfigurationSpec, Draft, Situation, TechniqueSpec, enclosing, warp};
+use super::{ConfigurationSpec, Drafts, Situation, TechniqueSpec, enclosing, warp};
 use crate::case::LightKind;
 use crate::facet::FacetShape;
 use crate::plan::PlanError;
@@ -70,26 +71,28 @@ const SINGLE: ConfigurationSpec = ConfigurationSpec {
 /// Up vectors of the light camera in post-projective space.
 const UPS: [(&str, DVec3); 2] = [("up along the view", DVec3::Z), ("up along the image", DVec3::Y)];
 
-fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, word: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
     let seen = situation.seen();
     if situation.receivers.is_empty() {
         let rows = [DVec4::X, DVec4::Y, DVec4::W];
-        return Ok(vec![warp::single(word.name, rows, situation.receivers.clone(), None)]);
+        warp::single(drafts, word.name, rows, situation.receivers.body());
+        return Ok(());
     }
     let space = PostSpace::of(situation, seen);
-    let directions: Vec<_> = seen.iter().map(|point| space.ray_to(*point)).collect();
+    let directions: SmallVec<[_; 16]> = seen.iter().map(|point| space.ray_to(*point)).collect();
     let axis = cone::narrowest(&directions);
 
     // The paper takes any up vector; how the map's square lies around the outline matters all the same, so that the better
     // of two is used.
-    let form = |(name, up): (&'static str, DVec3)| {
-        let rows = space.looking(axis, up)?;
+    for (form, up) in UPS {
+        let Some(rows) = space.looking(axis, up) else { continue };
         // What lies outside the cone is not seen.
         let receivers = situation.receivers.cut_by(&enclosing(&rows, seen));
-        Some(Draft { form: name, ..warp::single(word.name, rows, receivers, space.fallback) })
-    };
-    Ok(UPS.into_iter().filter_map(form).collect())
+        let draft = warp::single(drafts, word.name, rows, receivers.body());
+        (draft.form, draft.fallback) = (form, space.fallback);
+    }
+    Ok(())
 }

@@ -7,6 +7,7 @@
 //! towards the light, with rays that come back those turned away from it.
 
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
 /// Signed area, relative to the largest, below which a face is too thin for f32: its rays go to its neighbours, whose
 /// gutters hold them.
@@ -28,6 +29,9 @@ pub(super) struct SideFace {
     /// Weight of the apex: 1 for a directional light.
     pub(super) unit: DVec4,
 }
+
+/// The faces that rays enter first.
+pub(super) type Faces = SmallVec<[SideFace; 4]>;
 
 /// Which way rays run as seen from the view.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,7 +58,7 @@ impl SideFace {
 
 /// The faces that rays of a course enter first, in walking order. The light is a homogeneous point; corners lie at depth
 /// 1 below the apex, counter-clockwise as the camera sees them.
-pub(super) fn entered_first(apex: DVec3, corners: [DVec3; 4], light: DVec4, course: Course) -> Vec<SideFace> {
+pub(super) fn entered_first(apex: DVec3, corners: [DVec3; 4], light: DVec4, course: Course) -> Faces {
     // Orient areas as the image rectangle is oriented in the light's view.
     let sign = if course == Course::Away { 1.0 } else { -1.0 };
     let from_apex = light.truncate() - apex * light.w;

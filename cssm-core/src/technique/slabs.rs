@@ -2,12 +2,13 @@
 //! split").
 
 use glam::DVec4;
+use smallvec::SmallVec;
 
-use super::Sides;
+use super::{Draft, FacetDraft, Sides};
 
 use crate::case::{CaseError, LightCase};
 use crate::facet::Selection;
-use crate::receivers::DEPTH_ROW;
+use crate::receivers::{DEPTH_ROW, Polytope, Slices};
 use crate::schema::{Choice, Default, Field, Kind, Unit};
 
 const SCHEMES: &[Choice] = &[
@@ -75,14 +76,36 @@ pub(super) fn select(limits_metres: &[f64], slab: usize) -> Sides {
     farther.into_iter().chain(nearer).collect()
 }
 
-/// The walk of the slabs between inner limits.
-pub(super) fn selection(limits_metres: Vec<f64>) -> Selection {
-    let splits = limits_metres.len() as u32 + 1;
-    Selection { distances: vec![DEPTH_ROW], thresholds: vec![limits_metres], ..Selection::around(1, splits) }
+/// The receivers as they are cut at ascending limits.
+pub(super) fn slices<'a>(limits_metres: &[f64], receivers: &'a Polytope) -> Option<Slices<'a>> {
+    let ascend = limits_metres.windows(2).all(|pair| pair[0] < pair[1]);
+    ascend.then(|| Slices::of(receivers.body(), DEPTH_ROW, DVec4::W)).flatten()
+}
+
+/// Adds a slab with the receivers up to its limit: the next slice of them, or what its own half-spaces leave.
+pub(super) fn push(
+    facet: FacetDraft,
+    limit_metres: Option<f64>,
+    (slices, all): (Option<&mut Slices<'_>>, &Polytope),
+    draft: &mut Draft,
+) {
+    match slices {
+        Some(slices) => {
+            let receivers = slices.next(limit_metres, &mut draft.bodies);
+            draft.facets.push(FacetDraft { receivers, ..facet });
+        }
+        None => draft.push_cut(facet, all),
+    }
+}
+
+/// Adds inner limits between slabs to their walk.
+pub(super) fn select_by(limits_metres: &[f64], selection: &mut Selection) {
+    selection.distances.push(DEPTH_ROW);
+    selection.thresholds.extend_from_slice(limits_metres);
 }
 
 /// Depths of the inner limits, ascending (parallel-split slides, "split schemes").
-pub(super) fn limits_metres(case: &LightCase, near: f64, far: f64) -> Vec<f64> {
+pub(super) fn limits_metres(case: &LightCase, near: f64, far: f64) -> SmallVec<[f64; 8]> {
     let splits = count(case);
     let scheme = case.technique.arguments.word("scheme");
     let lambda = match scheme.map(|word| word.name) {

@@ -6,9 +6,10 @@
 //! square around its sphere.
 
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
 use super::{
-    ConfigurationSpec, Draft, FacetDraft, Region, Situation, TechniqueSpec, TileRequest, only_directional,
+    ConfigurationSpec, Drafts, FacetDraft, Region, Situation, TechniqueSpec, TileRequest, only_directional,
     slabs, standard::light_plane_axes,
 };
 use crate::case::LightKind;
@@ -44,7 +45,7 @@ pub const SPEC: TechniqueSpec = TechniqueSpec {
 /// Radii are rounded up to this share of the sphere's own power of two, so that f64 noise does not move texels.
 const RADIUS_STEPS: f64 = 1024.0;
 
-fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, word: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
@@ -56,12 +57,15 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
     let (near, far) = (view.near_metres, view.far_metres);
     let (near, far) = if far.is_finite() { (near, far) } else { situation.receivers.range(DEPTH_ROW) };
     let limits = slabs::limits_metres(case, near, far);
-    let ends: Vec<f64> = [near].into_iter().chain(limits.iter().copied()).chain([far]).collect();
+    let ends: SmallVec<[f64; 10]> = [near].into_iter().chain(limits.iter().copied()).chain([far]).collect();
     let sizes = sizes(situation, splits);
     let to_camera = view.camera_from_world;
     let (right, up) = light_plane_axes((to_camera.transpose() * situation.light.truncate()).extend(0.0));
 
-    let facet = |slab: usize| {
+    let draft = drafts.open(word.name, (1, splits));
+    draft.reserve(splits as usize);
+    let mut slices = slabs::slices(&limits, &situation.receivers);
+    for slab in 0..splits as usize {
         let (width, height) = sizes[slab];
         let (middle, radius) = sphere(view, ends[slab], ends[slab + 1]);
         let middle_world = view.eye_world + to_camera.transpose() * middle;
@@ -74,30 +78,25 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
             ((to_camera * axis).extend(-from_eye)) / (0.5 * texels * texel)
         };
         let select = slabs::select(&limits, slab);
-        let receivers = situation.receivers.cut_by(&select);
         let rows = [row(right.truncate(), width), row(up.truncate(), height), DVec4::W];
         let region = Region::Whole(TileRequest::Fixed(width, height));
-        FacetDraft::straight(Cell::of(0, slab as u32), rows, (select, receivers), region)
-    };
-    Ok(vec![Draft {
-        configuration: word.name,
-        form: "",
-        complete: true,
-        fallback: None,
-        facets: (0..splits as usize).map(facet).collect(),
-        selection: slabs::selection(limits),
-    }])
+        let limit = limits.get(slab).copied();
+        let facet = FacetDraft::straight(Cell::of(0, slab as u32), rows, select, region);
+        slabs::push(facet, limit, (slices.as_mut(), &situation.receivers), draft);
+    }
+    slabs::select_by(&limits, &mut draft.selection);
+    Ok(())
 }
 
 /// Tile of each slab: as declared, or the largest equal squares that the map holds.
-fn sizes(situation: &Situation<'_>, splits: u32) -> Vec<(u32, u32)> {
+fn sizes(situation: &Situation<'_>, splits: u32) -> SmallVec<[(u32, u32); 8]> {
     if let Some(sizes) = situation.case.technique.arguments.sizes(slabs::SIZES.name) {
         return sizes.iter().map(|size| situation.tile_size(*size)).collect();
     }
     let (width, height) = situation.map_size_texels;
     let side = |columns: u32| (width / columns).min(height / splits.div_ceil(columns));
     let largest = (1..=splits).map(side).max().unwrap_or(0);
-    vec![(largest, largest); splits as usize]
+    SmallVec::from_elem((largest, largest), splits as usize)
 }
 
 /// Middle (camera space) and radius of a sphere around a slab that depend on nothing but the projection.

@@ -3,10 +3,11 @@
 use glam::{DVec3, DVec4};
 
 use super::{
-    ConfigurationSpec, Draft, FacetDraft, Region, Situation, TechniqueSpec, TileRequest, only_directional,
+    ConfigurationSpec, Drafts, FacetDraft, Region, Sides, Situation, TechniqueSpec, TileRequest,
+    only_directional,
 };
 use crate::case::LightKind;
-use crate::facet::{Cell, FacetShape, Selection};
+use crate::facet::{Cell, FacetShape};
 use crate::plan::PlanError;
 use crate::schema::{Choice, Word};
 
@@ -31,24 +32,15 @@ const CONFIGURATION: ConfigurationSpec = ConfigurationSpec {
     draft,
 };
 
-fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, _: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: SPEC.choice.name });
     }
     let (x, y) = light_plane_axes(situation.light);
-    Ok(vec![Draft {
-        configuration: CONFIGURATION.choice.name,
-        form: "",
-        complete: true,
-        fallback: None,
-        selection: Selection::single(),
-        facets: vec![FacetDraft::straight(
-            Cell::FIRST,
-            [x, y, DVec4::W],
-            (super::Sides::new(), situation.receivers.clone()),
-            Region::Tile(TileRequest::Share(1.0)),
-        )],
-    }])
+    let region = Region::Tile(TileRequest::Share(1.0));
+    let facet = FacetDraft::straight(Cell::FIRST, [x, y, DVec4::W], Sides::new(), region);
+    drafts.open(CONFIGURATION.choice.name, (1, 1)).push(facet, situation.receivers.body());
+    Ok(())
 }
 
 /// Rows of two orthonormal axes of the light plane (camera space): the second is the camera's y seen along the light,

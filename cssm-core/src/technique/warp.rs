@@ -9,13 +9,13 @@
 use glam::{DVec2, DVec3, DVec4};
 
 use super::{
-    Draft, FacetDraft, Fallback, Region, Situation, TileRequest, generalized_linear, light_space_perspective,
-    trapezoidal, warp_family,
+    Draft, Drafts, FacetDraft, Fallback, Region, Sides, Situation, TileRequest, generalized_linear,
+    light_space_perspective, trapezoidal, warp_family,
 };
-use crate::facet::{Cell, Selection};
+use crate::facet::Cell;
 use crate::light::LightPosition;
 use crate::plan::PlanError;
-use crate::receivers::{DEPTH_ROW, Polytope};
+use crate::receivers::{Body, DEPTH_ROW, Polytope};
 use crate::schema::{Arguments, Choice};
 use crate::view::View;
 
@@ -175,37 +175,30 @@ pub(super) fn draft(
     spec: &WarpSpec,
     configuration: &'static str,
     situation: &Situation<'_>,
-) -> Result<Vec<Draft>, PlanError> {
+    drafts: &mut Drafts,
+) -> Result<(), PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: spec.choice.name });
     }
     if situation.receivers.is_empty() {
-        return Ok(vec![single(
-            configuration,
-            [DVec4::X, DVec4::Y, DVec4::W],
-            situation.receivers.clone(),
-            None,
-        )]);
+        single(drafts, configuration, [DVec4::X, DVec4::Y, DVec4::W], situation.receivers.body());
+        return Ok(());
     }
     let Warp { plane, strength, fallback } = of_view(spec, situation);
     let rows = plane.rows(&situation.receivers, strength);
-    Ok(vec![single(configuration, rows, situation.receivers.clone(), fallback)])
+    single(drafts, configuration, rows, situation.receivers.body()).fallback = fallback;
+    Ok(())
 }
 
-/// The draft of one facet over the whole map.
-pub(super) fn single(
+/// Adds a draft of one facet over the whole map.
+pub(super) fn single<'d>(
+    drafts: &'d mut Drafts,
     configuration: &'static str,
     rows: [DVec4; 3],
-    receivers: Polytope,
-    fallback: Option<Fallback>,
-) -> Draft {
+    receivers: Body<'_>,
+) -> &'d mut Draft {
     let region = Region::Tile(TileRequest::Share(1.0));
-    Draft {
-        configuration,
-        form: "",
-        complete: true,
-        fallback,
-        selection: Selection::single(),
-        facets: vec![FacetDraft::straight(Cell::FIRST, rows, (super::Sides::new(), receivers), region)],
-    }
+    let draft = drafts.open(configuration, (1, 1));
+    draft.push(FacetDraft::straight(Cell::FIRST, rows, Sides::new(), region), receivers);
+    draft
 }

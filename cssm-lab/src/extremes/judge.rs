@@ -235,9 +235,9 @@ fn border_rows(plan: &ShadowPlan, reach: f64) -> Vec<DVec4> {
     let selection = &plan.selection;
     let mut rows: Vec<DVec4> = selection.borders.clone();
     rows.extend(selection.split);
-    for (sector, (row, limits)) in selection.distances.iter().zip(&selection.thresholds).enumerate() {
+    for (sector, row) in selection.distances.iter().enumerate() {
         let unit = selection.units.get(sector).copied().unwrap_or(DVec4::W);
-        let limits = limits.iter().filter(|limit| **limit < FARTHEST_BORDER * reach);
+        let limits = selection.limits(sector).iter().filter(|limit| **limit < FARTHEST_BORDER * reach);
         rows.extend(limits.map(|limit| *row - unit * *limit));
     }
     rows.retain(|row| {

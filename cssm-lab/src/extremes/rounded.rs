@@ -74,7 +74,7 @@ impl Rounded {
         let sector = start + walked;
         let band = selection.distances.get(sector).map_or(0, |row| {
             let unit = selection.units.get(sector).map_or(1.0, &dot);
-            let limits = selection.thresholds.get(sector).map_or(&[][..], Vec::as_slice);
+            let limits = selection.limits(sector);
             let distance = dot(row);
             let reached = |limit: &&f64| distance >= (**limit as f32).min(f32::MAX) * unit;
             limits.iter().filter(reached).count()

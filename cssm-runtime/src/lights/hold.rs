@@ -3,7 +3,7 @@
 use cssm_core::case::Fit;
 use cssm_core::case::Stability;
 use cssm_core::glam::DVec3;
-use cssm_core::plan::{PlanRequest, ViewMargin};
+use cssm_core::plan::{PlanRequest, Planner, ViewMargin};
 use cssm_core::{PlanError, ShadowPlan, View};
 
 use super::shadow::{FARTHEST_REACH, Held};
@@ -102,14 +102,32 @@ fn has_shifted(held: &Held, request: &PlanRequest) -> bool {
     }
 }
 
+/// What plans are made in and with; kept over frames, so that planning asks for no memory.
+#[derive(Debug)]
+pub(super) struct Planning {
+    pub(super) planner: Planner,
+    /// A plan for a view alone.
+    pub(super) exact: ShadowPlan,
+    /// A plan with a margin.
+    wide: ShadowPlan,
+}
+
+impl Default for Planning {
+    fn default() -> Self {
+        Self { planner: Planner::new(), exact: ShadowPlan::empty(), wide: ShadowPlan::empty() }
+    }
+}
+
 /// A plan for a request, with a margin for `reach` times the motion where that costs little, and the predicted footprint
 /// of a plan without one.
-pub(super) fn plan(
+pub(super) fn plan<'p>(
     request: &PlanRequest,
     motion: Option<Motion>,
     reach: &mut f64,
-) -> Result<(ShadowPlan, f64), PlanError> {
-    let exact = request.plan()?;
+    planning: &'p mut Planning,
+) -> Result<(&'p mut ShadowPlan, f64), PlanError> {
+    let Planning { planner, exact, wide } = planning;
+    planner.plan(request, exact)?;
     let best_pixels = exact.p95_pixels(request.view);
     // A lattice of views has a margin of its own.
     let has_lattice = matches!(request.case.stability, Stability::Quantised { .. });
@@ -124,7 +142,7 @@ pub(super) fn plan(
             turn_radians: motion.turn_radians * *reach,
             move_metres: motion.move_metres * *reach,
         };
-        if let Ok(wide) = (PlanRequest { margin, ..*request }).plan()
+        if planner.plan(&PlanRequest { margin, ..*request }, wide).is_ok()
             && wide.p95_pixels(request.view) <= MARGIN_COST * best_pixels
         {
             return Ok((wide, best_pixels));

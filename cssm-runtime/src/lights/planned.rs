@@ -4,7 +4,7 @@ use cssm_core::plan::PlanRequest;
 use cssm_core::{PlanError, ShadowPlan, View};
 
 use super::description::{LightDescription, LightHandle};
-use super::hold::{self, Motion};
+use super::hold::{self, Motion, Planning};
 use super::report::{LightState, LightStatistics, TileStatistics};
 use super::shadow::{Held, Shadow};
 
@@ -19,13 +19,19 @@ impl Shadow {
         motion: Option<Motion>,
         serial: u64,
         description: &LightDescription,
+        planning: &mut Planning,
     ) -> bool {
         self.failure = None;
         let side = request.region.map_or(0, |region| region.width);
-        match hold::plan(request, motion, &mut self.reach) {
+        match hold::plan(request, motion, &mut self.reach, planning) {
             Ok((plan, best_pixels)) => {
-                self.estimate(&plan, request.view, side, description);
-                self.held = (!plan.facets.is_empty()).then(|| Held::new(plan, serial, request, best_pixels));
+                self.estimate(plan, request.view, side, description);
+                if plan.facets.is_empty() {
+                    self.held = None;
+                } else {
+                    let held = self.held.get_or_insert_with(|| Held::empty(request));
+                    held.renew(plan, serial, request, best_pixels);
+                }
                 false
             }
             Err(PlanError::MapTooSmall { .. }) if side < description.max_side_texels => {

@@ -108,7 +108,7 @@ impl LightService {
 
     /// Finds out how many texels the lights without a square would need.
     fn survey(&mut self, frame: &LightFrame) {
-        let Self { lights, cases, .. } = self;
+        let Self { lights, cases, scratch, .. } = self;
         for served in lights.iter_mut().filter_map(|entry| entry.light.as_mut()) {
             let Some(index) = shadow_of(&mut served.shadows, frame) else { continue };
             let (shadow, description) = (&mut served.shadows[index], &served.description);
@@ -125,9 +125,10 @@ impl LightService {
                 continue;
             }
             shadow.failure = None;
-            match request.plan() {
-                Ok(plan) => {
-                    shadow.estimate(&plan, frame.view, side, description);
+            let hold::Planning { planner, exact: plan, .. } = &mut scratch.planning;
+            match planner.plan(&request, plan) {
+                Ok(()) => {
+                    shadow.estimate(plan, frame.view, side, description);
                     shadow.unseen = plan.facets.is_empty().then_some(asked);
                 }
                 Err(PlanError::MapTooSmall { .. }) => {
@@ -173,7 +174,8 @@ impl LightService {
                     left_texels = left_texels.saturating_sub(texels(region));
                     planned += 1;
                     self.serial += 1;
-                    is_short |= shadow.plan(&request, motion, self.serial, served);
+                    is_short |=
+                        shadow.plan(&request, motion, self.serial, served, &mut self.scratch.planning);
                 }
             }
         }
@@ -191,7 +193,7 @@ impl LightService {
             planned += 1;
             self.serial += 1;
             let request = request(&case.case, served, frame, Some(region));
-            is_short |= shadow.plan(&request, motion, self.serial, served);
+            is_short |= shadow.plan(&request, motion, self.serial, served, &mut self.scratch.planning);
         }
         self.scratch.wishes = wishes;
         (planned, is_short)

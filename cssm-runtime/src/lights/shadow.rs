@@ -45,6 +45,8 @@ pub(super) struct Held {
     /// Frames that have used it.
     pub(super) frames: u32,
     pub(super) tiles: Vec<TileState>,
+    /// Tiles of earlier plans, for their memory.
+    spare: Vec<TileState>,
 }
 
 /// A tile and what it shows. Triangular facets share one.
@@ -119,31 +121,48 @@ pub(super) fn is_measured(request: &PlanRequest) -> bool {
 pub(super) const FARTHEST_REACH: f64 = 16.0;
 
 impl Held {
-    /// A plan whose tiles show nothing yet.
-    pub(super) fn new(plan: ShadowPlan, serial: u64, request: &PlanRequest, best_pixels: f64) -> Self {
-        let mut tiles: Vec<TileState> = Vec::new();
-        for (position, facet) in plan.facets.iter().enumerate() {
-            match tiles.iter_mut().find(|state| state.tile == facet.tile) {
+    /// A place for plans, which holds none yet.
+    pub(super) fn empty(request: &PlanRequest) -> Self {
+        Self {
+            plan: ShadowPlan::empty(),
+            serial: 0,
+            light: *request.light,
+            best_pixels: 0.0,
+            predicted: None,
+            covered: None,
+            seen: None,
+            depth: None,
+            frames: 0,
+            tiles: Vec::new(),
+            spare: Vec::new(),
+        }
+    }
+
+    /// Changes its plan for another, whose tiles show nothing yet.
+    pub(super) fn renew(
+        &mut self,
+        plan: &mut ShadowPlan,
+        serial: u64,
+        request: &PlanRequest,
+        best_pixels: f64,
+    ) {
+        std::mem::swap(&mut self.plan, plan);
+        self.spare.append(&mut self.tiles);
+        for (position, facet) in self.plan.facets.iter().enumerate() {
+            match self.tiles.iter_mut().find(|state| state.tile == facet.tile) {
                 Some(state) => state.facets.push(position),
                 None => {
-                    let (tile, facets) = (facet.tile, vec![position]);
-                    tiles.push(TileState::new(tile, facets));
+                    let mut facets = self.spare.pop().map_or_else(Vec::new, |spare| spare.facets);
+                    facets.clear();
+                    facets.push(position);
+                    self.tiles.push(TileState::new(facet.tile, facets));
                 }
             }
         }
         let measured = request.depth.filter(|depth| request.case.fit.measures_depth() && depth.is_usable());
-        Self {
-            plan,
-            serial,
-            light: *request.light,
-            best_pixels,
-            predicted: None,
-            covered: None,
-            seen: None,
-            depth: measured.map(|depth| Box::new(*depth)),
-            frames: 0,
-            tiles,
-        }
+        self.depth = measured.map(|depth| Box::new(*depth));
+        (self.serial, self.light, self.best_pixels, self.frames) = (serial, *request.light, best_pixels, 0);
+        (self.predicted, self.covered, self.seen) = (None, None, None);
     }
 
     /// Whether it was made relative to a view's eye and axes.

@@ -92,8 +92,8 @@ pub(super) fn facet_numbers(plan: &ShadowPlan, view: &View, look: &OverlayLook) 
     let distances = rows.add(&selection.distances);
     let units = rows.add(&selection.units);
     let thresholds = rows.rows.len() as u32;
-    for limits in &selection.thresholds {
-        rows.rows.extend(limits.chunks(LIMITS).map(|limits| {
+    for sector in 0..selection.distances.len() {
+        rows.rows.extend(selection.limits(sector).chunks(LIMITS).map(|limits| {
             let limit = |at: usize| limits.get(at).map_or(f32::MAX, |limit| (*limit as f32).min(f32::MAX));
             std::array::from_fn(limit)
         }));

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, DVec4};
 use smallvec::SmallVec;
 
 use crate::facet::Cell;
-use crate::receivers::Polytope;
+use crate::receivers::BodyPlace;
 use crate::remap::Curve;
 use crate::technique::{FacetDraft, Region, Sides, TileRequest};
 
@@ -55,9 +55,8 @@ impl Anchors {
         cells: SmallVec<[Cell; 4]>,
         square: u32,
         light: DVec3,
-        own: (Sides, &Polytope),
+        select: Sides,
     ) -> Option<FacetDraft> {
-        let (select, receivers) = own;
         let rows = barycentric(self.points, light)?;
         let weighed = |weight: &dyn Fn(usize) -> f64| {
             (0..3).fold(DVec4::ZERO, |sum, k| sum + rows[k] * (self.weights[k] * weight(k)))
@@ -68,7 +67,7 @@ impl Anchors {
             y: weighed(&|k| self.targets[k].y),
             curve: Curve::Straight,
             w: weighed(&|_| 1.0),
-            receivers: receivers.cut_by(&select),
+            receivers: BodyPlace::default(),
             select,
             region: Region::Triangle {
                 square,

@@ -8,12 +8,12 @@ use glam::{DVec3, DVec4};
 use smallvec::SmallVec;
 
 use crate::case::LightKind;
-use crate::facet::{Cell, FacetShape, Selection};
+use crate::facet::{Cell, FacetShape};
 use crate::plan::PlanError;
-use crate::receivers::DEPTH_ROW;
+use crate::receivers::{BodyPlace, DEPTH_ROW};
 use crate::remap::Curve;
 use crate::schema::{Choice, Word};
-use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Sides, Situation, TileRequest};
+use crate::technique::{ConfigurationSpec, Drafts, FacetDraft, Region, Sides, Situation, TileRequest};
 
 /// Faces around the view axis.
 const SECTORS: u32 = 4;
@@ -32,44 +32,38 @@ pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
 /// Outward axes of the faces around the view axis, in walking order.
 const SIDES: [DVec3; 4] = [DVec3::X, DVec3::Y, DVec3::NEG_X, DVec3::NEG_Y];
 
-fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, _: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     let light = situation.light;
     if light.w == 0.0 {
-        return Ok(Vec::new());
+        return Ok(());
     }
     let from_light = |axis: DVec3| axis.extend(-axis.dot(light.truncate()));
 
     // The walk: a half's own axis beats the side's where it is longer.
-    let mut selection =
-        Selection { split: Some(DEPTH_ROW + DVec4::W * light.z), ..Selection::around(SECTORS, 2) };
+    let draft = drafts.open(SPEC.choice.name, (SECTORS, 2));
+    draft.reserve(FACES as usize);
+    let selection = &mut draft.selection;
+    selection.split = Some(DEPTH_ROW + DVec4::W * light.z);
     for along in [DVec3::NEG_Z, DVec3::Z] {
         for side in SIDES {
             let diagonal = side + side.cross(DVec3::Z);
             let past = DVec3::Z.cross(diagonal).normalize();
             selection.borders.push(from_light(past));
             selection.distances.push(from_light(along - side));
-            selection.thresholds.push(vec![0.0]);
+            selection.thresholds.push(0.0);
         }
     }
 
     // The faces, each over all cells that it wins.
     let around = |half: u32| (0..SECTORS).map(move |sector| Cell { half, sector, band: 1 }).collect();
-    let mut facets = vec![
-        face(situation, DVec3::NEG_Z, DVec3::Y, around(0)),
-        face(situation, DVec3::Z, DVec3::Y, around(1)),
-    ];
+    for (half, axis) in [DVec3::NEG_Z, DVec3::Z].into_iter().enumerate() {
+        draft.push_cut(face(situation, axis, DVec3::Y, around(half as u32)), &situation.receivers);
+    }
     for (sector, side) in SIDES.into_iter().enumerate() {
         let cells = (0..2).map(|half| Cell { half, sector: sector as u32, band: 0 }).collect();
-        facets.push(face(situation, side, DVec3::Z, cells));
+        draft.push_cut(face(situation, side, DVec3::Z, cells), &situation.receivers);
     }
-    Ok(vec![Draft {
-        configuration: SPEC.choice.name,
-        form: "",
-        complete: true,
-        fallback: None,
-        selection,
-        facets,
-    }])
+    Ok(())
 }
 
 /// The projection through the face with an outward axis.
@@ -85,7 +79,7 @@ fn face(situation: &Situation<'_>, axis: DVec3, up: DVec3, cells: SmallVec<[Cell
         y: from_light(up),
         curve: Curve::Straight,
         w: from_light(axis),
-        receivers: situation.receivers.cut_by(&select),
+        receivers: BodyPlace::default(),
         select,
         region: Region::Whole(TileRequest::Share(1.0 / FACES)),
     }

@@ -22,13 +22,13 @@ use smallvec::smallvec;
 use super::anchors::{Anchors, barycentric};
 use super::tetrahedron;
 use crate::case::LightKind;
-use crate::facet::{Cell, FacetShape, Selection};
+use crate::facet::{Cell, FacetShape};
 use crate::light::{BORDER_MARGIN, LightPosition};
 use crate::plan::PlanError;
 use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Word};
 use crate::technique::side_faces::{self, Course};
-use crate::technique::{ConfigurationSpec, Draft, Situation};
+use crate::technique::{ConfigurationSpec, Drafts, Situation};
 
 /// A rectangle has four edges.
 const SECTORS: u32 = 4;
@@ -55,19 +55,22 @@ pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     draft,
 };
 
-fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, _: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     let bipyramid = Bipyramid::around(situation);
-    let form = |form: &Form| bipyramid.as_ref()?.draft(situation, form);
-    let drafts: Vec<Draft> = FORMS.iter().filter_map(form).collect();
-    if drafts.is_empty() {
-        // No bipyramid holds a light that is not before the eye: plain projections do.
-        let plain = tetrahedron::around(situation);
-        return Ok(plain
-            .map(|draft| Draft { configuration: SPEC.choice.name, form: "as tetrahedron", ..draft })
-            .into_iter()
-            .collect());
+    let before = drafts.len();
+    for form in &FORMS {
+        let known = drafts.len();
+        if bipyramid.as_ref().and_then(|bipyramid| bipyramid.draft(situation, form, drafts)).is_none() {
+            drafts.truncate(known);
+        }
     }
-    Ok(drafts)
+    if drafts.len() == before {
+        // No bipyramid holds a light that is not before the eye: plain projections do.
+        if tetrahedron::around(situation, (SPEC.choice.name, "as tetrahedron"), drafts).is_none() {
+            drafts.truncate(before);
+        }
+    }
+    Ok(())
 }
 
 /// Scales of the depths of front apex and equator.
@@ -108,7 +111,8 @@ impl Bipyramid {
         (enlarged.x * enlarged.y <= LARGEST_AREA * size.x * size.y).then_some(Self { light, low, high, t })
     }
 
-    fn draft(&self, situation: &Situation<'_>, form: &Form) -> Option<Draft> {
+    /// `None`, with an unfinished draft, where it does not hold the light.
+    fn draft(&self, situation: &Situation<'_>, form: &Form, drafts: &mut Drafts) -> Option<()> {
         // Place the apexes and the equator.
         let (light, homogeneous) = (self.light, situation.light);
         let depth = -light.z;
@@ -130,8 +134,9 @@ impl Bipyramid {
         if faces.len() < SECTORS as usize {
             return None;
         }
-        let mut selection = Selection::around(SECTORS, 2);
-        let mut facets = Vec::new();
+        let draft = drafts.open(SPEC.choice.name, (SECTORS, 2));
+        draft.form = form.name;
+        draft.reserve(2 * SECTORS as usize);
         let ndc = |tangents: DVec2| (tangents * 2.0 - low - high) / (high - low);
         for (sector, face) in faces.iter().enumerate() {
             let (one, two) = (face.corner, (face.corner + 1) % 4);
@@ -153,24 +158,14 @@ impl Bipyramid {
             // Neighbours share their borders to the last bit.
             let [toward_back, ..] = barycentric(back.points, light)?;
             let toward_back = toward_back / toward_back.truncate().length();
-            let sides = |end: DVec4| {
-                let sides = face.sides().into_iter().chain([end]).collect();
-                (sides, &situation.receivers)
-            };
-            facets.push(front.facet(cell(0), 0, light, sides(-toward_back))?);
-            facets.push(back.facet(cell(1), 1, light, sides(toward_back))?);
-            selection.borders.push(face.start);
-            selection.distances.push(toward_back);
-            selection.thresholds.push(vec![0.0]);
+            let sides = |end: DVec4| face.sides().into_iter().chain([end]).collect();
+            draft.push_cut(front.facet(cell(0), 0, light, sides(-toward_back))?, &situation.receivers);
+            draft.push_cut(back.facet(cell(1), 1, light, sides(toward_back))?, &situation.receivers);
+            draft.selection.borders.push(face.start);
+            draft.selection.distances.push(toward_back);
+            draft.selection.thresholds.push(0.0);
         }
-        Some(Draft {
-            configuration: SPEC.choice.name,
-            form: form.name,
-            complete: true,
-            fallback: None,
-            selection,
-            facets,
-        })
+        Some(())
     }
 }
 

@@ -20,14 +20,14 @@ use glam::{DVec3, DVec4};
 
 use crate::case::{LightCase, LightKind};
 use crate::distribution;
-use crate::facet::{FacetShape, Selection};
+use crate::facet::FacetShape;
 use crate::light::LightPosition;
 use crate::plan::PlanError;
 use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Word};
 use crate::technique::columns::{self, Column};
 use crate::technique::side_faces::{self, Course, SideFace};
-use crate::technique::{ConfigurationSpec, Draft, Sides, Situation};
+use crate::technique::{ConfigurationSpec, Drafts, Sides, Situation};
 
 /// A frustum has four side faces.
 const SECTORS: u32 = 4;
@@ -57,7 +57,7 @@ fn shape(case: &LightCase, _: &Word) -> FacetShape {
     }
 }
 
-fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, _: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     let light = situation.light;
     let before_eye = light.w > 0.0 && light.z < 0.0;
     let split = before_eye.then(|| DEPTH_ROW + DVec4::W * light.z);
@@ -69,21 +69,23 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
 
     let corners = situation.view.corner_tangents().map(|(x, y)| DVec3::new(x, y, -1.0));
     let bands = distribution::pieces(situation.case);
-    let mut selection = Selection { split, ..Selection::around(SECTORS, bands) };
-    let most = halves.len() * SECTORS as usize * bands as usize;
-    let (mut facets, mut complete) = (Vec::with_capacity(most), true);
+    let draft = drafts.open(SPEC.choice.name, (SECTORS, bands));
+    draft.selection.split = split;
+    let faces = |course: &Course| side_faces::entered_first(DVec3::ZERO, corners, light, *course);
+    draft.reserve(halves.iter().map(|(course, _)| faces(course).len()).sum::<usize>() * bands as usize);
     for (half, (course, side)) in halves.iter().enumerate() {
-        let faces = side_faces::entered_first(DVec3::ZERO, corners, light, *course);
+        let faces = faces(course);
         let half_space = split.map(|split| split * *side);
-        complete &= !faces.is_empty()
+        draft.complete &= !faces.is_empty()
             || half_space.is_some_and(|half| situation.receivers.cut_by(&[half]).is_empty());
         for sector in 0..SECTORS {
             let Some(face) = faces.get(sector as usize) else {
                 // What a half lacks is never reached.
+                let selection = &mut draft.selection;
                 selection.borders.push(if sector == 0 { DVec4::W } else { -DVec4::W });
                 if bands > 1 {
                     selection.distances.push(DVec4::W);
-                    selection.thresholds.push(vec![f64::MAX; bands as usize - 1]);
+                    selection.thresholds.extend((1..bands).map(|_| f64::MAX));
                     selection.units.push(DVec4::W);
                 }
                 continue;
@@ -100,22 +102,22 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
                 receivers: situation.receivers.cut_by(&sides),
                 sides,
             };
-            let limits = columns::facets(&column, situation, &mut facets);
+            columns::add(&column, situation, draft);
 
             // The outer borders of a run that does not close are the frustum's own silhouette: nothing is past them.
             let closed = faces.len() == SECTORS as usize;
+            let selection = &mut draft.selection;
             selection.borders.push(if sector > 0 || closed { face.start } else { DVec4::W });
             if bands > 1 {
                 selection.distances.push(column.distance);
-                selection.thresholds.push(limits);
                 selection.units.push(column.unit);
             }
         }
     }
     if light.w == 0.0 {
-        selection.units.clear();
+        draft.selection.units.clear();
     }
-    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", complete, fallback: None, selection, facets }])
+    Ok(())
 }
 
 /// Rows of a face's column.

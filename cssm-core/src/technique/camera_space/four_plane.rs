@@ -15,15 +15,15 @@ use glam::{DVec2, DVec4};
 use super::one_plane;
 use crate::case::LightKind;
 use crate::distribution;
-use crate::facet::{Cell, FacetShape, Selection};
+use crate::facet::{Cell, FacetShape};
 use crate::focus::{self, Focus};
 use crate::light::{BORDER_MARGIN, LightPosition};
 use crate::plan::PlanError;
-use crate::receivers::{DEPTH_ROW, Polytope};
+use crate::receivers::DEPTH_ROW;
 use crate::schema::{Choice, Default, Field, Kind, Word};
 use crate::technique::columns;
 use crate::technique::side_faces::{self, Course, SideFace};
-use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Sides, Situation, TileRequest};
+use crate::technique::{ConfigurationSpec, Drafts, FacetDraft, Region, Sides, Situation, TileRequest};
 
 /// A square has four triangles.
 const SECTORS: u32 = 4;
@@ -60,7 +60,7 @@ pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     draft,
 };
 
-fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, word: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     let focus = Focus::of(&word.arguments).metres(situation.eye_height_metres);
     let straight = word.arguments.word("push").is_some_and(|push| push.name == "camera");
     let light = situation.light;
@@ -68,19 +68,20 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
     // Rays of a point before the eye plane run both ways: they meet no single square.
     let before_eye = light.w > 0.0 && light.z < 0.0;
     let square = (!before_eye).then(|| Square::around(situation)).flatten();
-    let mut drafts: Vec<Draft> =
-        square.iter().map(|square| square.draft(situation, "in a square", focus, straight)).collect();
-    if let (Some(square), true) = (&square, light.w > 0.0) {
-        // A point behind the eye gains from a tip nearer than the focus (facet algebra, section 4).
-        let near = situation.view.near_metres;
-        let depth = (near * (near + libm::fabs(light.z))).sqrt();
-        drafts.push(square.draft(situation, "in a square, tip at the light's scale", depth, straight));
+    if let Some(square) = &square {
+        square.draft(situation, "in a square", (focus, straight), drafts);
+        if light.w > 0.0 {
+            // A point behind the eye gains from a tip nearer than the focus (facet algebra, section 4).
+            let near = situation.view.near_metres;
+            let depth = (near * (near + libm::fabs(light.z))).sqrt();
+            square.draft(situation, "in a square, tip at the light's scale", (depth, straight), drafts);
+        }
     }
     let outside = LightPosition::of(situation.view, light) != LightPosition::Dueling;
-    if outside || drafts.is_empty() {
-        drafts.push(on_one_plane(situation, focus));
+    if outside || square.is_none() {
+        on_one_plane(situation, focus, drafts);
     }
-    Ok(drafts)
+    Ok(())
 }
 
 /// The rectangle of the view at depth 1, enlarged where t needs it.
@@ -123,7 +124,13 @@ impl Square {
         (tangents * 2.0 - self.low - self.high) / (self.high - self.low)
     }
 
-    fn draft(&self, situation: &Situation<'_>, form: &'static str, focus: f64, straight: bool) -> Draft {
+    fn draft(
+        &self,
+        situation: &Situation<'_>,
+        form: &'static str,
+        (focus, straight): (f64, bool),
+        drafts: &mut Drafts,
+    ) {
         let (near, far) = situation.receivers.range(DEPTH_ROW);
         let depth = focus.clamp(near, far);
 
@@ -136,20 +143,13 @@ impl Square {
         let course = if light.w > 0.0 { Course::Away } else { Course::of_directional(light.truncate()) };
         let faces = side_faces::entered_first(apex, corners, light, course);
 
-        let facets = faces.iter().enumerate().map(|(sector, face)| {
+        let draft = drafts.open(SPEC.choice.name, (SECTORS, 1));
+        draft.form = form;
+        draft.reserve(faces.len());
+        for (sector, face) in faces.iter().enumerate() {
             let triangle = Triangle { face, square: self, tip: self.ndc(tip), depth, far };
-            triangle.facet(sector as u32, &situation.receivers)
-        });
-        Draft {
-            configuration: SPEC.choice.name,
-            form,
-            complete: true,
-            fallback: None,
-            facets: facets.collect(),
-            selection: Selection {
-                borders: faces.iter().map(|face| face.start).collect(),
-                ..Selection::around(SECTORS, 1)
-            },
+            draft.push_cut(triangle.facet(sector as u32), &situation.receivers);
+            draft.selection.borders.push(face.start);
         }
     }
 }
@@ -167,7 +167,7 @@ struct Triangle<'a> {
 }
 
 impl Triangle<'_> {
-    fn facet(&self, sector: u32, receivers: &Polytope) -> FacetDraft {
+    fn facet(&self, sector: u32) -> FacetDraft {
         // Weigh the anchors T, c_k, c_(k+1) by their depths: the square shows the view's own perspective there.
         let corners = self.square.corners().map(|corner| self.square.ndc(corner));
         let (one, two) = (corners[self.face.corner], corners[(self.face.corner + 1) % 4]);
@@ -178,23 +178,17 @@ impl Triangle<'_> {
         let y = at_tip * self.tip.y + s * one.y + t * two.y;
         let region =
             Region::Triangle { square: 0, request: TileRequest::Footprint, corners: [self.tip, one, two] };
-        let own = (Sides::from_slice(&sides), receivers.cut_by(&sides));
-        FacetDraft::straight(Cell::of(sector, 0), [x, y, at_tip + s + t], own, region)
+        let select = Sides::from_slice(&sides);
+        FacetDraft::straight(Cell::of(sector, 0), [x, y, at_tip + s + t], select, region)
     }
 }
 
 /// The form for light from far outside the view.
-fn on_one_plane(situation: &Situation<'_>, focus: f64) -> Draft {
+fn on_one_plane(situation: &Situation<'_>, focus: f64, drafts: &mut Drafts) {
     let column = one_plane::column(situation);
     let piece = distribution::perspective_piece(focus, EVEN_SHARE, &columns::range(&column, situation));
-    let mut facets = Vec::new();
-    columns::split(&column, &[piece], &mut facets);
-    Draft {
-        configuration: SPEC.choice.name,
-        form: "on one plane",
-        complete: one_plane::is_complete(&column, situation),
-        fallback: None,
-        selection: Selection::single(),
-        facets,
-    }
+    let draft = drafts.open(SPEC.choice.name, (1, 1));
+    draft.form = "on one plane";
+    draft.complete = one_plane::is_complete(&column, situation);
+    columns::split(&column, &[piece], draft);
 }

@@ -4,10 +4,10 @@
 use glam::DVec3;
 
 use crate::case::LightKind;
-use crate::facet::{Cell, FacetShape, Selection};
+use crate::facet::{Cell, FacetShape};
 use crate::plan::PlanError;
 use crate::schema::{Choice, Word};
-use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Sides, Situation, TileRequest};
+use crate::technique::{ConfigurationSpec, Drafts, FacetDraft, Region, Sides, Situation, TileRequest};
 
 pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     choice: Choice::plain("light_projection", "one plain projection along a spot light's cone"),
@@ -18,8 +18,8 @@ pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     draft,
 };
 
-fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
-    let Some(cone) = situation.cone else { return Ok(Vec::new()) };
+fn draft(situation: &Situation<'_>, _: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
+    let Some(cone) = situation.cone else { return Ok(()) };
     let light = situation.light.truncate();
     let from_light = |axis: DVec3| axis.extend(-axis.dot(light));
 
@@ -30,15 +30,9 @@ fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
     let facet = FacetDraft::straight(
         Cell::FIRST,
         [from_light(across), from_light(across.cross(along)), from_light(along)],
-        (Sides::new(), situation.receivers.clone()),
+        Sides::new(),
         Region::Tile(TileRequest::Footprint),
     );
-    Ok(vec![Draft {
-        configuration: SPEC.choice.name,
-        form: "",
-        complete: true,
-        fallback: None,
-        selection: Selection::single(),
-        facets: vec![facet],
-    }])
+    drafts.open(SPEC.choice.name, (1, 1)).push(facet, situation.receivers.body());
+    Ok(())
 }

@@ -18,14 +18,14 @@ use smallvec::smallvec;
 
 use crate::case::LightKind;
 use crate::distribution;
-use crate::facet::{FacetShape, Selection};
+use crate::facet::FacetShape;
 use crate::light::LightPosition;
 use crate::plan::PlanError;
 use crate::receivers::{DEPTH_ROW, Polytope};
 use crate::samples::SAMPLED_HORIZON_METRES;
 use crate::schema::{Choice, Word};
 use crate::technique::columns::{self, Column};
-use crate::technique::{ConfigurationSpec, Draft, Sides, Situation};
+use crate::technique::{ConfigurationSpec, Drafts, Sides, Situation};
 
 /// Share of a point light's own distance from the plane that receivers must lie below it.
 const SMALLEST_UNIT: f64 = 1e-3;
@@ -39,19 +39,17 @@ pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     draft,
 };
 
-fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, _: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     let column = column(situation);
-    let complete = is_complete(&column, situation);
     let bands = distribution::pieces(situation.case);
-    let mut facets = Vec::new();
-    let limits = columns::facets(&column, situation, &mut facets);
-    let mut selection = Selection::around(1, bands);
+    let draft = drafts.open(SPEC.choice.name, (1, bands));
+    draft.complete = is_complete(&column, situation);
+    columns::add(&column, situation, draft);
     if bands > 1 {
-        selection.distances.push(column.distance);
-        selection.thresholds.push(limits);
-        selection.units.extend((situation.light.w > 0.0).then_some(column.unit));
+        draft.selection.distances.push(column.distance);
+        draft.selection.units.extend((situation.light.w > 0.0).then_some(column.unit));
     }
-    Ok(vec![Draft { configuration: SPEC.choice.name, form: "", complete, fallback: None, selection, facets }])
+    Ok(())
 }
 
 /// Whether no receiver was left out of the column.

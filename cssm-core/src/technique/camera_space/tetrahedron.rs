@@ -9,11 +9,11 @@ use smallvec::smallvec;
 
 use super::anchors::{Anchors, barycentric};
 use crate::case::LightKind;
-use crate::facet::{Cell, FacetShape, Selection};
+use crate::facet::{Cell, FacetShape};
 use crate::light::LightPosition;
 use crate::plan::PlanError;
 use crate::schema::{Choice, Word};
-use crate::technique::{ConfigurationSpec, Draft, Sides, Situation};
+use crate::technique::{ConfigurationSpec, Drafts, Sides, Situation};
 
 /// Faces around the axis.
 const SECTORS: u32 = 3;
@@ -31,12 +31,21 @@ pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     draft,
 };
 
-fn draft(situation: &Situation<'_>, _: &Word) -> Result<Vec<Draft>, PlanError> {
-    Ok(around(situation).into_iter().collect())
+fn draft(situation: &Situation<'_>, _: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
+    let before = drafts.len();
+    if around(situation, (SPEC.choice.name, ""), drafts).is_none() {
+        drafts.truncate(before);
+    }
+    Ok(())
 }
 
-/// The tetrahedron around a point light.
-pub(super) fn around(situation: &Situation<'_>) -> Option<Draft> {
+/// Adds the tetrahedron around a point light, as a form of a configuration. `None`, perhaps with an unfinished draft, where
+/// there is none.
+pub(super) fn around(
+    situation: &Situation<'_>,
+    (configuration, form): (&'static str, &'static str),
+    drafts: &mut Drafts,
+) -> Option<()> {
     if situation.light.w == 0.0 {
         return None;
     }
@@ -52,8 +61,9 @@ pub(super) fn around(situation: &Situation<'_>) -> Option<Draft> {
         let normal = vertex.cross(tip).normalize();
         normal.extend(-normal.dot(light))
     };
-    let mut selection = Selection::around(SECTORS, 2);
-    let mut facets = Vec::new();
+    let draft = drafts.open(configuration, (SECTORS, 2));
+    draft.form = form;
+    draft.reserve(SECTORS as usize + 1);
     let square = |k: usize| [DVec2::ZERO, SQUARE[k], SQUARE[(k + 1) % 4]];
 
     // Three faces around the vertex.
@@ -69,25 +79,18 @@ pub(super) fn around(situation: &Situation<'_>) -> Option<Draft> {
         let toward_tip = toward_tip / toward_tip.truncate().length();
         let sides = smallvec![past(one), -past(two), toward_tip];
         let cells = smallvec![Cell::of(sector as u32, 0)];
-        facets.push(face.facet(cells, 0, light, (sides, &situation.receivers))?);
-        selection.borders.push(past(one));
-        selection.distances.push(-toward_tip);
-        selection.thresholds.push(vec![0.0]);
+        draft.push_cut(face.facet(cells, 0, light, sides)?, &situation.receivers);
+        draft.selection.borders.push(past(one));
+        draft.selection.distances.push(-toward_tip);
+        draft.selection.thresholds.push(0.0);
     }
 
     // The base behind them.
-    let behind = Sides::from_slice(&selection.distances);
+    let behind = Sides::from_slice(&draft.selection.distances);
     let face = Anchors { points: base.map(at), weights: [1.0; 3], targets: square(3), share: 1.0 };
     let cells = (0..SECTORS).map(|sector| Cell::of(sector, 1)).collect();
-    facets.push(face.facet(cells, 0, light, (behind, &situation.receivers))?);
-    Some(Draft {
-        configuration: SPEC.choice.name,
-        form: "",
-        complete: true,
-        fallback: None,
-        selection,
-        facets,
-    })
+    draft.push_cut(face.facet(cells, 0, light, behind)?, &situation.receivers);
+    Some(())
 }
 
 /// Cosine and sine of a third of a turn.

@@ -8,18 +8,18 @@
 //! one that comes into the light's view begins with none and nothing pops. For a local light in the view both rectangles are there, parted by the light's own depth.
 
 use glam::{DVec3, DVec4};
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 use super::post_space::slide_back;
 use crate::case::{LightCase, LightKind};
 use crate::facet::{Cell, FacetShape, Selection};
 use crate::light::LightPosition;
 use crate::plan::PlanError;
-use crate::receivers::DEPTH_ROW;
+use crate::receivers::{BodyPlace, DEPTH_ROW};
 use crate::remap::Curve;
 use crate::schema::{Choice, Word};
 use crate::technique::side_faces::{self, Course, SideFace};
-use crate::technique::{ConfigurationSpec, Draft, FacetDraft, Region, Sides, Situation, TileRequest};
+use crate::technique::{ConfigurationSpec, Drafts, FacetDraft, Region, Sides, Situation, TileRequest};
 
 pub(super) const SPEC: ConfigurationSpec = ConfigurationSpec {
     choice: Choice::plain("cube_faces", "the view's planes by which rays leave it, each with a tile"),
@@ -48,10 +48,10 @@ struct End {
     /// The half-space of its receivers, for a light between near and far.
     part: Option<DVec4>,
     /// For each back side a row that is positive on the side's receivers, negative on the rectangle's.
-    edges: Vec<DVec4>,
+    edges: Sides,
 }
 
-fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError> {
+fn draft(situation: &Situation<'_>, word: &Word, drafts: &mut Drafts) -> Result<(), PlanError> {
     if situation.receivers.is_unbounded() {
         return Err(PlanError::Unbounded { technique: super::SPEC.choice.name });
     }
@@ -69,25 +69,27 @@ fn draft(situation: &Situation<'_>, word: &Word) -> Result<Vec<Draft>, PlanError
     };
     let between = light.w > 0.0 && -light.z > near && -light.z < far;
     let recedes = if light.w > 0.0 { -light.z < far } else { light.z >= 0.0 };
-    let ends = if between {
-        vec![end(0, far, near, Some(depth)), end(1, near, far, Some(-depth))]
+    let ends: SmallVec<[End; 2]> = if between {
+        smallvec![end(0, far, near, Some(depth)), end(1, near, far, Some(-depth))]
     } else {
         let (own, other) = if recedes { (far, near) } else { (near, far) };
-        vec![end(0, own, other, None)]
+        smallvec![end(0, own, other, None)]
     };
 
     let (slide, fallback) = slide_back(situation, near, far);
     let faces = Faces { situation, slide, corners };
-    let mut facets: Vec<FacetDraft> = ends.iter().map(|end| faces.end(end)).collect();
-    facets.extend(sides.iter().enumerate().map(|(index, side)| faces.side(index, side, &ends)));
-    Ok(vec![Draft {
-        configuration: word.name,
-        form: "",
-        complete: LightPosition::of(situation.view, light) != LightPosition::AtEye,
-        fallback,
-        selection: selection(&sides, &ends, between.then_some(depth)),
-        facets,
-    }])
+    let draft = drafts.open(word.name, (SECTORS, BANDS));
+    draft.complete = LightPosition::of(situation.view, light) != LightPosition::AtEye;
+    draft.fallback = fallback;
+    for facet in ends.iter().map(|end| faces.end(end)) {
+        draft.push_cut(facet, &situation.receivers);
+    }
+    for (index, side) in sides.iter().enumerate() {
+        draft.push_cut(faces.side(index, side, &ends), &situation.receivers);
+    }
+    draft.selection.split = between.then_some(depth);
+    select(&sides, &ends, &mut draft.selection);
+    Ok(())
 }
 
 /// Depths of the near and the far rectangle, around the receivers.
@@ -97,8 +99,7 @@ fn depths(situation: &Situation<'_>) -> (f64, f64) {
 }
 
 /// The walk: sectors of back sides, in each the end rectangle before the side.
-fn selection(sides: &[SideFace], ends: &[End], split: Option<DVec4>) -> Selection {
-    let mut selection = Selection { split, ..Selection::around(SECTORS, BANDS) };
+fn select(sides: &[SideFace], ends: &[End], selection: &mut Selection) {
     let closed = sides.len() == SECTORS as usize;
     for end in ends {
         for sector in 0..SECTORS as usize {
@@ -111,10 +112,9 @@ fn selection(sides: &[SideFace], ends: &[End], split: Option<DVec4>) -> Selectio
             selection.borders.push(border);
             selection.distances.push(end.edges.get(sector).copied().unwrap_or(DVec4::W));
             // A sector without a side has its end rectangle only.
-            selection.thresholds.push(vec![if end.edges.get(sector).is_some() { 0.0 } else { f64::MAX }]);
+            selection.thresholds.push(if end.edges.get(sector).is_some() { 0.0 } else { f64::MAX });
         }
     }
-    selection
 }
 
 /// The plane through the light and the edge of an end rectangle: positive towards the side that shares the edge.
@@ -159,7 +159,6 @@ impl Faces<'_> {
         // The light stands on the plane's inner side, wherever that is.
         let sign = if toward < 0.0 { -1.0 } else { 1.0 };
         let onto = |row: DVec4| (row * toward - plane * row.dot(light)) * sign;
-        let receivers = self.situation.receivers.cut_by(&select);
         FacetDraft {
             cells,
             x: onto(rows[0]),
@@ -167,7 +166,7 @@ impl Faces<'_> {
             curve: Curve::Straight,
             w: onto(DEPTH_ROW + DVec4::W * self.slide),
             select,
-            receivers,
+            receivers: BodyPlace::default(),
             region: Region::Tile(TileRequest::Footprint),
         }
     }

@@ -3,7 +3,7 @@
 //! Comments are left out here and text that another combination has too is named by it, so that what a combination
 //! changes stands out.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use cssm::LightCase;
@@ -16,7 +16,7 @@ use cssm_codegen::generate;
 #[path = "support/judge.rs"]
 mod judge;
 
-use judge::{capabilities, judge, spirv_val, with_stage};
+use judge::{capabilities, judge, spirv_val, tint, with_stage};
 
 /// Bound of exact stretching in the locked cases, texels.
 const BOUND_TEXELS: f64 = 0.25;
@@ -168,7 +168,7 @@ fn every_configuration_and_distribution_reads_as_locked() {
 
 #[test]
 fn every_configuration_and_distribution_is_valid() {
-    let mut words = Vec::new();
+    let (mut words, mut texts) = (Vec::new(), BTreeSet::new());
     for combination in combinations() {
         for (distribution, case) in &combination.cases {
             let table = generate(case).unwrap().table;
@@ -178,6 +178,7 @@ fn every_configuration_and_distribution_is_valid() {
                 let written = judge(&text, capabilities(&table, shader.kind));
                 words.push(written.unwrap_or_else(|error| panic!("{}: {error}", what())));
                 words.extend((!shader.spirv.is_empty()).then(|| shader.spirv.to_vec()));
+                texts.insert(text);
             }
         }
     }
@@ -185,6 +186,7 @@ fn every_configuration_and_distribution_is_valid() {
     words.dedup();
     assert!(words.len() > 60, "only {} different modules", words.len());
     spirv_val(&words);
+    tint(&texts.into_iter().collect::<Vec<_>>());
 }
 
 #[test]

@@ -212,7 +212,7 @@ fn each_facet_draws_into_its_own_tile_only() {
     let view = view(DVec3::ZERO);
     let mut plan = plan_from_above(&view, HALF, TOP, BOTTOM);
     plan.selection.distances = vec![DVec4::X];
-    plan.selection.thresholds = vec![vec![1.0, 2.0, 3.0]];
+    plan.selection.thresholds = vec![1.0, 2.0, 3.0];
     plan.facets = [(0, 3, 5, 20, 30), (1, 23, 0, 41, 7), (3, 24, 8, 1, 56)]
         .into_iter()
         .zip([10.0, 20.0, 30.0])

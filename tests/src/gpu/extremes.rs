@@ -131,8 +131,8 @@ impl fmt::Display for Situation {
 fn border_rows(plan: &ShadowPlan) -> Vec<DVec4> {
     let selection = &plan.selection;
     let mut rows: Vec<DVec4> = selection.borders.iter().copied().filter(|row| row.w == 0.0).collect();
-    for (row, limits) in selection.distances.iter().zip(&selection.thresholds) {
-        let limits = limits.iter().filter(|limit| **limit < FARTHEST_BORDER);
+    for (sector, row) in selection.distances.iter().enumerate() {
+        let limits = selection.limits(sector).iter().filter(|limit| **limit < FARTHEST_BORDER);
         rows.extend(limits.map(|limit| *row - DVec4::W * *limit));
     }
     rows.retain(|row| row.truncate() != DVec3::ZERO);

@@ -124,7 +124,7 @@ fn plans_and_views_that_do_not_belong() {
         &|plan| plan.facets.push(plan.facets[0].clone()),
         &|plan| plan.selection.borders.push(DVec4::X),
         &|plan| plan.selection.distances.push(DVec4::X),
-        &|plan| plan.selection.thresholds.push(vec![1.0]),
+        &|plan| plan.selection.thresholds.push(1.0),
         &|plan| plan.facets[0].tile.x = u32::MAX,
         &|plan| plan.facets[0].tile.height = 0,
         &|plan| plan.facets[0].rows.z.w = f64::NAN,
@@ -226,7 +226,7 @@ fn masks_that_are_not_declared_or_get_other_textures() {
     let mut without = ShadowService::new(&gpu.device, &gpu.queue, &table, &Options::default()).unwrap();
     let mut plan = plan_from_above(&view, 16.0, 40.0, -10.0);
     plan.selection.distances = vec![DVec4::X];
-    plan.selection.thresholds = vec![vec![1.0, 2.0, 3.0]];
+    plan.selection.thresholds = vec![1.0, 2.0, 3.0];
     let frame = without.prepare(&plan, &view, &[]).unwrap();
     let refused = without.mask(&mut encoder, &frame, &inputs, &target, None);
     assert!(matches!(refused, Err(ServiceError::NotDeclared { .. })), "{refused:?}");

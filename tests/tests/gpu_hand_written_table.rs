@@ -213,6 +213,7 @@ fn each_facet_draws_into_its_own_tile_only() {
     let mut plan = plan_from_above(&view, HALF, TOP, BOTTOM);
     plan.selection.distances = vec![DVec4::X];
     plan.selection.thresholds = vec![1.0, 2.0, 3.0];
+    plan.selection.bands = 4;
     plan.facets = [(0, 3, 5, 20, 30), (1, 23, 0, 41, 7), (3, 24, 8, 1, 56)]
         .into_iter()
         .zip([10.0, 20.0, 30.0])

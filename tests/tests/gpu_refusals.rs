@@ -227,6 +227,7 @@ fn masks_that_are_not_declared_or_get_other_textures() {
     let mut plan = plan_from_above(&view, 16.0, 40.0, -10.0);
     plan.selection.distances = vec![DVec4::X];
     plan.selection.thresholds = vec![1.0, 2.0, 3.0];
+    plan.selection.bands = 4;
     let frame = without.prepare(&plan, &view, &[]).unwrap();
     let refused = without.mask(&mut encoder, &frame, &inputs, &target, None);
     assert!(matches!(refused, Err(ServiceError::NotDeclared { .. })), "{refused:?}");

@@ -16,7 +16,7 @@ const FINER: u32 = 32;
 /// Share of the steepest step's change that one finer step may have: a jump would have all of it.
 const SMOOTH: f64 = 0.25;
 /// The same where facets share the map, each sized by itself.
-const SMOOTH_SHARED: f64 = 0.36;
+const SMOOTH_SHARED: f64 = 0.38;
 
 /// Changes of the share below this are flat, whatever whole texels make of them.
 const FLAT: f64 = 0.05;

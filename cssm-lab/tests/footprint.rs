@@ -40,7 +40,7 @@ fn shortfalls(name: &str, class: Class, ours: &Figures, reference: &Figures) -> 
 
 /// Shortfalls that are known, with the largest ratio either way. The prototype's tiles have any size and no gutters;
 /// folded columns lose texels to gutters, and tiles are balanced for p95 over the volume, not for the ground.
-const KNOWN: [(&str, &str, &str, f64); 28] = [
+const KNOWN: [(&str, &str, &str, f64); 29] = [
     ("perspective", "general", "util", 1.08),
     ("perspective_slid", "border", "p95", 1.07),
     ("perspective_slid", "border", "ground95", 1.07),
@@ -53,6 +53,7 @@ const KNOWN: [(&str, &str, &str, f64); 28] = [
     ("one_plane_log_folded", "general", "ground95", 1.28),
     ("face_columns_log_folded", "general", "util", 1.08),
     ("face_columns_16", "general", "ground50", 1.08),
+    ("face_columns_16", "dueling", "geo95", 1.06),
     ("face_columns_log_folded", "general", "median", 1.12),
     ("face_columns_log_folded", "general", "geo95", 1.09),
     ("face_columns_log_folded", "general", "ground50", 1.20),

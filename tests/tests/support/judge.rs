@@ -60,21 +60,24 @@ pub(crate) fn spirv_val_is_there() -> bool {
     there
 }
 
-/// Runs spirv-val over every module, on as many threads as there are cores.
+/// Runs spirv-val over every module.
 pub(crate) fn spirv_val(modules: &[Vec<u8>]) {
-    if !spirv_val_is_there() {
-        return;
+    if spirv_val_is_there() {
+        for_each(modules, "spv", |module, path| {
+            assert!(passes_spirv_val(module, path), "spirv-val refuses a module");
+        });
     }
+}
+
+/// Calls `judge` with every module and a file for it, on as many threads as there are cores.
+fn for_each<M: Sync>(modules: &[M], extension: &str, judge: impl Fn(&M, &Path) + Sync) {
     let folder = tempfile::tempdir().unwrap();
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     std::thread::scope(|scope| {
         for thread in 0..threads {
-            let path = folder.path().join(format!("{thread}.spv"));
-            scope.spawn(move || {
-                for module in modules.iter().skip(thread).step_by(threads) {
-                    assert!(passes_spirv_val(module, &path), "spirv-val refuses a module");
-                }
-            });
+            let path = folder.path().join(format!("{thread}.{extension}"));
+            let (modules, judge) = (modules.iter().skip(thread).step_by(threads), &judge);
+            scope.spawn(move || modules.for_each(|module| judge(module, &path)));
         }
     });
 }
@@ -97,23 +100,13 @@ pub(crate) fn tint_is_there() -> bool {
     there
 }
 
-/// Runs Tint over the text of every module, on as many threads as there are cores.
+/// Runs Tint over the text of every module.
 pub(crate) fn tint(modules: &[String]) {
-    if !tint_is_there() {
-        return;
+    if tint_is_there() {
+        for_each(modules, "wgsl", |module, path| {
+            assert!(passes_tint(module, path), "Tint refuses a module\n{module}");
+        });
     }
-    let folder = tempfile::tempdir().unwrap();
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for thread in 0..threads {
-            let path = folder.path().join(format!("{thread}.wgsl"));
-            scope.spawn(move || {
-                for module in modules.iter().skip(thread).step_by(threads) {
-                    assert!(passes_tint(module, &path), "Tint refuses a module\n{module}");
-                }
-            });
-        }
-    });
 }
 
 pub(crate) fn passes_tint(wgsl: &str, path: &Path) -> bool {

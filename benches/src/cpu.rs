@@ -39,6 +39,13 @@ impl PlanJob {
         plan(&self.case, &self.view, &self.light, &self.bounds)
     }
 
+    /// The view of an even or an odd frame, one centimetre apart.
+    fn view_of(&self, frame: u8) -> View {
+        let mut view = self.view;
+        view.eye_world.x += 0.01 * f64::from(frame);
+        view
+    }
+
     /// What a frame of a moving view does: makes the plan in the place of the last one, with memory that is kept.
     ///
     /// # Errors
@@ -49,8 +56,7 @@ impl PlanJob {
         let mut frame = 0_u8;
         Ok(move || {
             frame = 1 - frame;
-            let mut view = self.view;
-            view.eye_world.x += 0.01 * f64::from(frame);
+            let view = self.view_of(frame);
             let request = PlanRequest::new(&self.case, &view, &self.light, self.bounds);
             planner.plan(&request, &mut plan).is_ok()
         })
@@ -68,8 +74,7 @@ impl PlanJob {
         let mut frame = 0_u8;
         Ok(move || {
             frame = 1 - frame;
-            let mut view = self.view;
-            view.eye_world.x += 0.01 * f64::from(frame);
+            let view = self.view_of(frame);
             held.rebase(&view);
             let covers = held.covers(&PlanRequest { view: &view, ..request });
             covers.then(|| held.p95_pixels(&view))

@@ -11,10 +11,10 @@
 //! captured, how a facet is selected, which way depth is stored, how bias is found, how the map is filtered, what the
 //! engine's depth holds, where normals come from.
 //! `library` picks the files of a case and writes the function that joins them, a part for each property. `prelude`
-//! prints constants, records and bindings from the case's table. `compose` keeps what the entry points reach, gives every module-scope name the case's prefix, and prints the text
-//! as it was written: comments, names and loops survive because nothing is reprinted. `judge` lets naga validate the
-//! result and holds it against the table: nothing unused, the same bindings, the same sizes and offsets. `spirv`
-//! writes the words with every option pinned.
+//! prints constants, records and bindings from the case's table. `compose` keeps what the entry points reach, gives every
+//! module-scope name the case's prefix, and prints the text as it was written: comments, names and loops survive because
+//! nothing is reprinted. `judge` lets naga validate the result and holds it against the table: nothing unused, the same
+//! bindings, the same sizes and offsets. `spirv` writes the words with every option pinned.
 //!
 //! # Casters of the engine's own
 //!

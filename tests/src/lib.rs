@@ -3,3 +3,4 @@
 pub mod generated;
 pub mod gpu;
 pub mod random;
+pub mod touch;

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use cssm_codegen::generate;
 use cssm_core::case::Casters;
-use cssm_core::glam::DVec3;
+use cssm_core::glam::{DVec3, DVec4};
 use cssm_core::table::CaseTable;
 use cssm_core::{BoundingBox, Light, LightCase, SceneBounds, ShadowPlan, View, plan};
 use cssm_lab::case_file::{pick_case, with_map_size};
@@ -17,6 +17,7 @@ use cssm_runtime::{
 };
 use cssm_tests::gpu::device::culling_device;
 use cssm_tests::gpu::{Geometry, TestDevice, Yard, exclusive, yard};
+use cssm_tests::touch::{box_corners, touches};
 use shaders_gen::shipped;
 
 #[path = "support/reading.rs"]
@@ -108,36 +109,24 @@ impl Content {
     }
 }
 
-/// Corners of an instance's box relative to the eye; bit k of a corner's number is its side along axis k.
+/// Corners of an instance's box relative to a plan's eye.
 fn corners(plan: &ShadowPlan, bounds: &BoundingBox, instance: &CasterInstance) -> [DVec3; 8] {
-    [0_usize, 1, 2, 3, 4, 5, 6, 7].map(|corner| {
-        let side = |axis: usize| if corner >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
-        let corner = DVec3::new(side(0), side(1), side(2));
-        instance.world_from_object.transform_point3(corner) - plan.eye_world
-    })
+    let mut eye_from_object = instance.world_from_object;
+    eye_from_object.translation -= plan.eye_world;
+    box_corners(bounds, &eye_from_object)
 }
 
 /// Whether the surface of a box reaches into all half-spaces of a facet by more than rounding.
 fn is_touched(plan: &ShadowPlan, facet: usize, bounds: &BoundingBox, instance: &CasterInstance) -> bool {
     let corners = corners(plan, bounds, instance);
     let size = corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
+    let planes = plan.facets[facet]
+        .casters
+        .iter()
+        .map(|plane| *plane - DVec4::W * (MARGIN * (plane.truncate().length() * size + plane.w.abs())));
+    let planes: Vec<DVec4> = planes.collect();
     let sides = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
-    sides.iter().any(|side| {
-        let mut left: Vec<DVec3> = side.iter().map(|corner| corners[*corner]).collect();
-        for plane in &plan.facets[facet].casters {
-            let inside = |at: DVec3| {
-                plane.dot(at.extend(1.0)) - MARGIN * (plane.truncate().length() * size + plane.w.abs())
-            };
-            let next = left.iter().cycle().skip(1);
-            let cut = left.iter().zip(next).flat_map(|(one, two)| {
-                let (here, there) = (inside(*one), inside(*two));
-                let crossing = (here < 0.0) != (there < 0.0);
-                [(here >= 0.0).then_some(*one), crossing.then(|| one.lerp(*two, here / (here - there)))]
-            });
-            left = cut.flatten().collect();
-        }
-        !left.is_empty()
-    })
+    sides.iter().any(|side| touches(&side.map(|corner: usize| corners[corner]), &planes))
 }
 
 /// By how much a box lies outside a facet, as a share of the size of all numbers that tell; below zero where it reaches.

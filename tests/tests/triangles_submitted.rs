@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cssm_core::facet::Facet;
-use cssm_core::glam::{DAffine3, DVec3, DVec4};
+use cssm_core::glam::{DVec3, DVec4};
 use cssm_core::{BoundingBox, SceneBounds, plan};
 use cssm_lab::case_file::{pick_case, with_map_size};
 use cssm_lab::scene::Scene;
@@ -11,6 +11,7 @@ use cssm_runtime::{
     CLUSTER_TRIANGLES, CasterInstance, ClusteredTriangles, Drawing, FrameCommands, MeshFacts, MeshHandle,
     PipelineHandle, cluster_triangles,
 };
+use cssm_tests::touch::{box_corners, touches};
 use shaders_gen::shipped;
 
 const SIZE: (u32, u32) = (1280, 720);
@@ -32,45 +33,13 @@ fn box_of(scene: &Scene, mesh: usize) -> BoundingBox {
     BoundingBox { min: DVec3::from_array(min), max: DVec3::from_array(max) }
 }
 
-/// Whether any point of a triangle lies in all half-spaces: what they leave of it has corners.
-fn touches(triangle: [DVec3; 3], planes: &[DVec4]) -> bool {
-    let mut corners = triangle.to_vec();
-    for plane in planes {
-        let distance = |corner: DVec3| plane.dot(corner.extend(1.0));
-        let mut left = Vec::with_capacity(corners.len() + 1);
-        for (at, corner) in corners.iter().enumerate() {
-            let next = corners[(at + 1) % corners.len()];
-            let (here, there) = (distance(*corner), distance(next));
-            if here >= 0.0 {
-                left.push(*corner);
-            }
-            if (here < 0.0) != (there < 0.0) {
-                left.push(corner.lerp(next, here / (here - there)));
-            }
-        }
-        if left.is_empty() {
-            return false;
-        }
-        corners = left;
-    }
-    true
-}
-
-/// Corners of an instance's box relative to the eye.
-fn corners(bounds: &BoundingBox, eye_from_object: &DAffine3) -> [DVec3; 8] {
-    std::array::from_fn(|corner| {
-        let side = |axis: usize| if corner >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
-        eye_from_object.transform_point3(DVec3::new(side(0), side(1), side(2)))
-    })
-}
-
 /// Triangles that touch a facet, and boundaries of the facet that cut through the box of any instance of which one does.
 fn needed(scene: &Scene, facet: &Facet, eye_world: DVec3) -> (u64, u64) {
     let (mut triangles, mut boundaries) = (0, vec![false; facet.casters.len()]);
     for instance in &scene.instances {
         let mut eye_from_object = instance.world_from_object;
         eye_from_object.translation -= eye_world;
-        let corners = corners(&box_of(scene, instance.mesh), &eye_from_object);
+        let corners = box_corners(&box_of(scene, instance.mesh), &eye_from_object);
         let counts = facet
             .casters
             .iter()
@@ -88,7 +57,7 @@ fn needed(scene: &Scene, facet: &Facet, eye_world: DVec3) -> (u64, u64) {
             eye_from_object.transform_point3(position)
         };
         let touching = mesh.indices.chunks_exact(3).filter(|corners| {
-            cutting.is_empty() || touches([0, 1, 2].map(|corner| position(&corners[corner])), &cutting)
+            cutting.is_empty() || touches(&[0, 1, 2].map(|corner| position(&corners[corner])), &cutting)
         });
         let touching = touching.count() as u64;
         triangles += touching;

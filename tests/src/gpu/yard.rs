@@ -7,6 +7,7 @@ use cssm_runtime::{CasterInstance, ServiceError, ShadowService};
 
 use super::casters::{Geometry, GeometryBuffers};
 use super::device::TestDevice;
+use crate::touch::box_corners;
 
 /// Where the yard lies in the world: far enough that f32 would lose whole metres.
 pub const ORIGIN: DVec3 = DVec3::new(4.1e6, 120.0, -5.3e6);
@@ -126,14 +127,9 @@ impl Yard {
 
     /// Corners of one place's own box, relative to a point, world axes.
     fn place_corners(&self, place: usize, origin_world: DVec3) -> [DVec3; 8] {
-        let (shape, world_from_object) = &self.places[place];
-        let bounds = self.geometries[*shape].bounds();
-        std::array::from_fn(|corner| {
-            let pick = |axis: usize| {
-                if corner >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] }
-            };
-            world_from_object.transform_point3(DVec3::new(pick(0), pick(1), pick(2))) - origin_world
-        })
+        let (shape, mut from_object) = self.places[place];
+        from_object.translation -= origin_world;
+        box_corners(&self.geometries[shape].bounds(), &from_object)
     }
 }
 
